@@ -1,0 +1,164 @@
+//! A scene as stated: plain numbers, not yet known to be valid.
+//!
+//! World units are the author's own; all numbers are f64. The defaults are those of the
+//! scene format (`scenes/README.md`).
+
+/// How rays meet surfaces: which formulas are used.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Numerics {
+    /// No epsilon, forms chosen for accuracy. The default.
+    #[default]
+    Robust,
+    /// The workshop's formulas to the letter; they speckle.
+    Textbook,
+}
+
+/// How linear light becomes an 8-bit level.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Transfer {
+    /// Level = 255 times the linear value: the workshop's way, the default.
+    #[default]
+    Linear,
+    /// The sRGB curve (IEC 61966-2-1).
+    Srgb,
+}
+
+/// Size and transfer of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Image {
+    /// Columns, 1 to 65 535.
+    pub width: u32,
+    /// Rows, 1 to 65 535.
+    pub height: u32,
+    /// Used by 8-bit pictures only.
+    pub transfer: Transfer,
+}
+
+impl Default for Image {
+    fn default() -> Self {
+        Self { width: 640, height: 480, transfer: Transfer::default() }
+    }
+}
+
+/// A pinhole camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// The eye.
+    pub position: [f64; 3],
+    /// A point straight ahead; apart from `position`.
+    pub look_at: [f64; 3],
+    /// Which way is up; not parallel to the view, any length.
+    pub up: [f64; 3],
+    /// Vertical field of view in degrees, in (0, 180).
+    pub fov: f64,
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self { position: [0.0; 3], look_at: [0.0, 0.0, -1.0], up: [0.0, 1.0, 0.0], fov: 30.0 }
+    }
+}
+
+/// What holds for the whole picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Render {
+    /// Reflections followed: the eye ray is depth 0. Every u32 is legal.
+    pub max_depth: u32,
+    /// A reflected ray whose cumulative weight is below this adds black.
+    pub min_weight: f64,
+    /// Linear RGB of a ray that meets nothing.
+    pub background: [f64; 3],
+    /// Linear RGB that multiplies every material's colour.
+    pub ambient: [f64; 3],
+    /// Which formulas.
+    pub numerics: Numerics,
+}
+
+impl Default for Render {
+    fn default() -> Self {
+        Self {
+            max_depth: 5,
+            min_weight: 0.0,
+            background: [0.0; 3],
+            ambient: [0.1; 3],
+            numerics: Numerics::default(),
+        }
+    }
+}
+
+/// A point light without fall-off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// Where it stands.
+    pub position: [f64; 3],
+    /// Linear RGB.
+    pub intensity: [f64; 3],
+}
+
+/// Phong's reflection model plus a mirror.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Linear RGB of the ambient and diffuse terms.
+    pub color: [f64; 3],
+    /// kd, does not scale ambient.
+    pub diffuse: f64,
+    /// ks, the highlight's factor.
+    pub specular: f64,
+    /// The highlight's exponent; x^0 is 1, also for x = 0.
+    pub shininess: f64,
+    /// Mirror factor k in [0, 1]; `None` takes `specular`.
+    pub reflect: Option<f64>,
+}
+
+impl Material {
+    /// A matt material of that colour: diffuse 1, no highlight, no mirror.
+    #[must_use]
+    pub fn matt(color: [f64; 3]) -> Self {
+        Self { color, diffuse: 1.0, specular: 0.0, shininess: 0.0, reflect: None }
+    }
+
+    /// The mirror factor k: `reflect` where given, else `specular`.
+    #[must_use]
+    pub fn mirror(&self) -> f64 {
+        self.reflect.unwrap_or(self.specular)
+    }
+}
+
+/// A sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// Its centre.
+    pub center: [f64; 3],
+    /// Its radius, in [1e-12, 1e12].
+    pub radius: f64,
+    /// What it is made of.
+    pub material: Material,
+}
+
+/// An infinite plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Any point on it.
+    pub point: [f64; 3],
+    /// Its normal, any length but zero.
+    pub normal: [f64; 3],
+    /// What it is made of, on both sides.
+    pub material: Material,
+}
+
+/// A scene as stated. [`crate::Scene::new`] makes it valid or names what is wrong.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Draft {
+    /// Size and transfer.
+    pub image: Image,
+    /// The eye.
+    pub camera: Camera,
+    /// Depth, background, ambient, formulas.
+    pub render: Render,
+    /// Point lights; their order is the order of summation.
+    pub lights: Vec<Light>,
+    /// Spheres; on equal distance the lower index is seen.
+    pub spheres: Vec<Sphere>,
+    /// Planes; they come after all spheres in that order.
+    pub planes: Vec<Plane>,
+}

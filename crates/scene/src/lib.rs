@@ -1,0 +1,26 @@
+//! What is rendered, and what a rendering is: the scene as people state it (f64), its
+//! reading, validation and writing, its compilation to f32 constants, and the film.
+//!
+//! Nothing here traces a ray. Both renderers start from [`Compiled`] and end in [`Film`].
+
+mod compile;
+mod counts;
+mod double_double;
+mod draft;
+mod error;
+mod film;
+mod read;
+mod scene;
+mod validate;
+mod view;
+mod write;
+
+pub use counts::{Counts, DepthCount};
+pub use double_double::DoubleDouble;
+pub use draft::{
+    Camera, Draft, Image, Light, Material, Numerics, Plane, Render, Sphere, Transfer,
+};
+pub use error::SceneError;
+pub use film::{Film, Quantiser};
+pub use scene::Scene;
+pub use view::{Crop, Grid, View, ViewError};
