@@ -1,1 +1,19 @@
-//! Stub.
+//! The ray tracer as a workshop writes it: a recursion over mirrors, in f32.
+//!
+//! This is the specification. Read [`trace`](mod@trace) first; then the shapes in the order
+//! `textbook`, `ball`, `flat`. The packet engine does the same operations in the same order,
+//! so its picture has the same bits; where the two differ, one of them is wrong.
+//!
+//! Arithmetic: every + - * / and square root is rounded once, in the order written; dot
+//! products are (x + y) + z; nothing is fused. A comparison with NaN is false, and the
+//! formulas are written so that a NaN distance is a miss.
+
+mod ball;
+mod flat;
+mod power;
+mod render;
+mod textbook;
+pub mod trace;
+
+pub use power::power;
+pub use render::{DEPTH_ALLOWED, STACK_BYTES, TooDeep, render};

@@ -15,11 +15,13 @@ mod validate;
 mod view;
 mod write;
 
+pub use compile::{
+    Ball, Compiled, EyeRays, Flat, Phong, PointLight, Power, Primitive, Shape, TextbookPlane,
+    TextbookSphere,
+};
 pub use counts::{Counts, DepthCount};
 pub use double_double::DoubleDouble;
-pub use draft::{
-    Camera, Draft, Image, Light, Material, Numerics, Plane, Render, Sphere, Transfer,
-};
+pub use draft::{Camera, Draft, Image, Light, Material, Numerics, Plane, Render, Sphere, Transfer};
 pub use error::SceneError;
 pub use film::{Film, Quantiser};
 pub use scene::Scene;

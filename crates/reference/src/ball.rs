@@ -1,0 +1,53 @@
+//! A sphere by centre and radius, robust numerics.
+//!
+//! The discriminant is formed from the foot of the perpendicular, r^2 - |x|^2, which does
+//! not cancel where b^2 - (|f|^2 - r^2) would (Haines, Günther and Akenine-Möller, Precision
+//! improvements for ray/sphere intersection, Ray Tracing Gems, ch. 7, 2019).
+//!
+//! The distance b - s decides which sphere is nearest; its error, about half an ulp of b, is
+//! not more than that of the ray's own coordinates. The point is formed relative to the
+//! centre and put back on the sphere, so no quotient (|f|^2 - r^2)/(b + s) is needed.
+
+use catoptric_scene::Ball;
+use glam::Vec3;
+
+use crate::trace::{Ray, Surface, not_behind, positive};
+
+/// Distance to the ball, if the ray meets it. `own`: the ray starts on this ball.
+///
+/// Edge: a tangent ray hits. From outside only the near root counts, and only on the
+/// way in. A ball around the eye is always hit, at its far root; on the way from itself
+/// that is the other end of the chord, 2b.
+pub(crate) fn distance(ball: &Ball, ray: Ray, own: bool) -> Option<f32> {
+    let f = ball.center - ray.origin;
+    let b = f.dot(ray.direction);
+    let x = ray.direction * b - f;
+    let discriminant = ball.radius_squared - x.dot(x);
+    if ball.is_around() {
+        let s = if own { b } else { positive(discriminant).sqrt() };
+        return Some(not_behind(b + s));
+    }
+    (!own && b > 0.0 && discriminant >= 0.0).then(|| not_behind(b - discriminant.sqrt()))
+}
+
+/// Where a ray meets it at distance `t`, put back on the sphere.
+pub(crate) fn surface(ball: &Ball, ray: Ray, t: f32, id: usize) -> Surface {
+    let f = ball.center - ray.origin;
+    let x = ray.direction * t - f;
+    let outward = x * (1.0 / x.length());
+    let point = ball.center + outward * ball.radius;
+    Surface { point, normal: outward * ball.side, start: point, left: Some(id) }
+}
+
+/// Whether it stands between a point outside of it and a lamp outside of it, at `distance`
+/// in direction `ray.direction`.
+///
+/// No root is needed: with both ends outside, the segment meets the ball exactly if the
+/// foot of the perpendicular lies within the segment and within the ball. A ball around the
+/// eye holds all points and lamps (but hidden ones) and is convex: it hides none from another.
+pub(crate) fn occludes(ball: &Ball, ray: Ray, distance: f32) -> bool {
+    let f = ball.center - ray.origin;
+    let b = f.dot(ray.direction);
+    let x: Vec3 = ray.direction * b - f;
+    !ball.is_around() && b > 0.0 && b < distance && x.dot(x) <= ball.radius_squared
+}

@@ -1,0 +1,175 @@
+//! The recursion.
+//!
+//! The workshop's six formulas, and where they are computed:
+//!
+//! 1. a ray is p = o + t d                                   (`surface` of each shape)
+//! 2. it meets a sphere where |o + t d - c|^2 = r^2          (`distance` of each shape)
+//! 3. the normal there is n = (p - c)/|p - c|                (`surface` of each shape)
+//! 4. a lamp adds I (kd colour (n·l) + ks (r·v)^p)           (`local`)
+//! 5. the mirrored ray is d - 2 (d·n) n                      (`mirrored`)
+//! 6. colour = local + k · trace(mirrored ray)               (`trace`)
+
+use catoptric_scene::{Compiled, Counts, Numerics, Phong, Shape};
+use glam::Vec3;
+
+use crate::render::DEPTH_ALLOWED;
+use crate::{ball, flat, power, textbook};
+
+/// A ray. Units: |direction| is 1, up to rounding.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    /// Where it starts, relative to the eye.
+    pub origin: Vec3,
+    /// Where it goes.
+    pub direction: Vec3,
+    /// The primitive that it just left, which it does not meet again; robust only.
+    pub left: Option<usize>,
+}
+
+/// The place where a ray meets a primitive.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface {
+    /// The point that is lit.
+    pub point: Vec3,
+    /// The unit normal there.
+    pub normal: Vec3,
+    /// Where shadow and mirrored rays start: the point itself, or the workshop's offset.
+    pub start: Vec3,
+    /// Which primitive those rays leave: this one, or none where an offset is used.
+    pub left: Option<usize>,
+}
+
+/// Traces rays through one scene and counts them.
+pub(crate) struct Tracer<'a> {
+    pub(crate) scene: &'a Compiled,
+    pub(crate) counts: Counts,
+    /// Set once a path went deeper than the stack allows; the picture is then void.
+    pub(crate) too_deep: bool,
+}
+
+impl Tracer<'_> {
+    /// The light that comes back along a ray.
+    ///
+    /// `weight` is the product of the mirror factors on the way here, 1 for an eye ray;
+    /// `depth` the number of mirrors on the way, 0 for an eye ray.
+    pub(crate) fn trace(&mut self, ray: Ray, weight: f32, depth: u32) -> Vec3 {
+        if depth > DEPTH_ALLOWED {
+            self.too_deep = true;
+            return Vec3::ZERO;
+        }
+        self.counts.at(depth).rays += 1;
+        let Some((id, distance)) = self.nearest(ray) else {
+            return self.scene.background;
+        };
+        self.counts.at(depth).hits += 1;
+
+        let surface = self.surface(id, ray, distance);
+        let material = self.scene.materials[self.scene.primitives[id].material as usize];
+        let direction = self.mirrored(ray.direction, surface.normal);
+        let local = self.local(&surface, &material, direction, depth);
+
+        // What the mirror shows. Where it is not followed it shows black.
+        let k = material.mirror;
+        let weight = weight * k;
+        if k > 0.0 && depth < self.scene.max_depth && weight >= self.scene.min_weight {
+            let next = Ray { origin: surface.start, direction, left: surface.left };
+            local + k * self.trace(next, weight, depth + 1)
+        } else {
+            local
+        }
+    }
+
+    /// Ambient light plus what each visible lamp adds, in file order (Phong 1975).
+    fn local(&mut self, at: &Surface, material: &Phong, mirrored: Vec3, depth: u32) -> Vec3 {
+        let mut colour = material.ambient;
+        for lamp in &self.scene.lights {
+            let to_lamp = lamp.position - at.point;
+            let distance = to_lamp.length();
+            let l = to_lamp * (1.0 / distance);
+            let facing = at.normal.dot(l);
+            // Not so for a lamp behind the surface, nor for one at the very point (NaN).
+            if facing > 0.0 {
+                self.counts.at(depth).shadow += 1;
+                if !lamp.hidden && !self.occluded(at, l, distance) {
+                    // r·v, r being l mirrored about n and v = -d, equals l·(d mirrored).
+                    let highlight = material.specular * power(l.dot(mirrored), material.power);
+                    let diffuse = material.diffuse * facing;
+                    colour += lamp.intensity * (diffuse + Vec3::splat(highlight));
+                }
+            }
+        }
+        colour
+    }
+
+    /// d - 2 (d·n) n.
+    ///
+    /// Robust: made a unit vector again, or rounding would add up over the mirrors. Its
+    /// length is 1 up to a few ulps, so one Newton step for 1/|v|, v (3 - v·v)/2, is exact
+    /// to the last place and needs neither a root nor a division.
+    fn mirrored(&self, d: Vec3, n: Vec3) -> Vec3 {
+        let v = d - n * (2.0 * d.dot(n));
+        match self.scene.numerics {
+            Numerics::Robust => v * (1.5 - 0.5 * v.dot(v)),
+            Numerics::Textbook => v,
+        }
+    }
+
+    /// The primitive that the ray meets first, and its distance. The first of equals wins.
+    fn nearest(&self, ray: Ray) -> Option<(usize, f32)> {
+        let mut nearest = None;
+        let mut best = f32::INFINITY;
+        for (id, primitive) in self.scene.primitives.iter().enumerate() {
+            let own = ray.left == Some(id);
+            let distance = match &primitive.shape {
+                Shape::Ball(ball) => ball::distance(ball, ray, own),
+                Shape::Flat(flat) => flat::distance(flat, ray, own),
+                Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, ray),
+                Shape::TextbookPlane(plane) => textbook::plane_distance(plane, ray),
+            };
+            if let Some(t) = distance
+                && t < best
+            {
+                best = t;
+                nearest = Some((id, t));
+            }
+        }
+        nearest
+    }
+
+    /// Whether something stands between the surface and a lamp in direction `l`.
+    fn occluded(&self, at: &Surface, l: Vec3, distance: f32) -> bool {
+        let ray = Ray { origin: at.start, direction: l, left: at.left };
+        let mut others = self.scene.primitives.iter().enumerate();
+        others.any(|(id, primitive)| match &primitive.shape {
+            _ if at.left == Some(id) => false,
+            Shape::Ball(ball) => ball::occludes(ball, ray, distance),
+            Shape::Flat(flat) => flat::occludes(flat, ray, distance),
+            Shape::TextbookSphere(sphere) => {
+                textbook::sphere_distance(sphere, ray).is_some_and(|t| t < distance)
+            }
+            Shape::TextbookPlane(plane) => {
+                textbook::plane_distance(plane, ray).is_some_and(|t| t < distance)
+            }
+        })
+    }
+
+    fn surface(&self, id: usize, ray: Ray, distance: f32) -> Surface {
+        match &self.scene.primitives[id].shape {
+            Shape::Ball(ball) => ball::surface(ball, ray, distance, id),
+            Shape::Flat(flat) => flat::surface(flat, ray, distance, id),
+            Shape::TextbookSphere(sphere) => textbook::sphere_surface(sphere, ray, distance),
+            Shape::TextbookPlane(plane) => textbook::plane_surface(plane, ray, distance),
+        }
+    }
+}
+
+/// max(0, x), with 0 for NaN and for -0.
+pub(crate) fn positive(x: f32) -> f32 {
+    if x > 0.0 { x } else { 0.0 }
+}
+
+/// max(0, t) of a distance, NaN kept: a start that rounding put behind a surface meets it
+/// at once.
+pub(crate) fn not_behind(t: f32) -> f32 {
+    if t < 0.0 { 0.0 } else { t }
+}

@@ -1,0 +1,197 @@
+//! The form of each primitive: which constants its intersection is computed from.
+//!
+//! A **ball** is computed from centre and radius. A **flat** is a plane, or a sphere so large
+//! against the scene around the eye that it looks like one: computed from its height
+//! function, it needs no coordinates of a centre far away (NUMERICS, section 2). The
+//! crossover is at a radius of twice the scene's extent S.
+
+use glam::Vec3;
+
+use super::camera::unit;
+use super::{from_eye, rounded};
+use crate::{DoubleDouble, Draft, Numerics, Plane, Scene, Sphere};
+
+/// The form chosen for a primitive.
+#[derive(Clone, Copy, Debug)]
+pub enum Shape {
+    /// Robust: a sphere.
+    Ball(Ball),
+    /// Robust: a plane or a large sphere.
+    Flat(Flat),
+    /// Textbook: a sphere.
+    TextbookSphere(TextbookSphere),
+    /// Textbook: a plane.
+    TextbookPlane(TextbookPlane),
+}
+
+/// A sphere, by centre and radius.
+#[derive(Clone, Copy, Debug)]
+pub struct Ball {
+    /// Relative to the eye.
+    pub center: Vec3,
+    /// Its radius.
+    pub radius: f32,
+    /// The radius squared in f64, rounded once.
+    pub radius_squared: f32,
+    /// 1 where the eye is outside or on it, -1 where it is around the eye: times the outward
+    /// normal it gives the normal that faces every ray.
+    pub side: f32,
+}
+
+/// A plane, or a large sphere, by its height function.
+///
+/// Twice the height of x above it, on the eye's side: 2g(x) = curvature·|x|^2 - 2 lean·x +
+/// offset, with the gradient N(x) = curvature·x - lean, which on the surface is the unit
+/// normal that faces every ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Flat {
+    /// 1/r for a sphere seen from outside, -1/r for one around the eye, 0 for a plane.
+    pub curvature: f32,
+    /// c/r, or -c/r for a sphere around the eye; the negated normal for a plane.
+    pub lean: Vec3,
+    /// Twice the eye's height: (|c|^2 - r^2)/r, or its negative, formed in double-double.
+    pub offset: f32,
+}
+
+impl Flat {
+    /// Whether it is a sphere around the eye.
+    #[must_use]
+    pub fn is_around(&self) -> bool {
+        self.curvature < 0.0
+    }
+}
+
+impl Ball {
+    /// Whether it is a sphere around the eye.
+    #[must_use]
+    pub fn is_around(&self) -> bool {
+        self.side < 0.0
+    }
+}
+
+/// A sphere as the workshop states it.
+#[derive(Clone, Copy, Debug)]
+pub struct TextbookSphere {
+    /// Relative to the eye.
+    pub center: Vec3,
+    /// Its radius.
+    pub radius: f32,
+}
+
+/// A plane as the workshop would state it.
+#[derive(Clone, Copy, Debug)]
+pub struct TextbookPlane {
+    /// The unit normal as given.
+    pub normal: Vec3,
+    /// normal · point, relative to the eye.
+    pub offset: f32,
+}
+
+/// Spheres in file order, then planes.
+pub(super) fn shapes(scene: &Scene) -> Vec<Shape> {
+    let scene: &Draft = scene;
+    let (spheres, planes) = (scene.spheres.iter(), scene.planes.iter());
+    match scene.render.numerics {
+        Numerics::Robust => {
+            let extent = extent(scene);
+            let spheres = spheres.map(|s| robust_sphere(scene, s, extent));
+            spheres.chain(planes.map(|p| Shape::Flat(robust_plane(scene, p)))).collect()
+        }
+        Numerics::Textbook => {
+            let spheres = spheres.map(|s| {
+                Shape::TextbookSphere(TextbookSphere {
+                    center: to_f32(from_eye(scene, s.center)),
+                    radius: rounded(s.radius),
+                })
+            });
+            let planes = planes.map(|p| {
+                let normal = unit(p.normal);
+                Shape::TextbookPlane(TextbookPlane {
+                    normal: normal.map(rounded).into(),
+                    offset: (-height(scene, normal, p.point)).to_f32(),
+                })
+            });
+            spheres.chain(planes).collect()
+        }
+    }
+}
+
+/// Whether some primitive stands between a light and all that the eye can see.
+pub(super) fn hides(scene: &Draft, light: [f64; 3]) -> bool {
+    let zero = DoubleDouble::default();
+    let eye = scene.camera.position;
+    let by_sphere = scene.spheres.iter().any(|s| {
+        let (eye, light) = (power_of(s, eye), power_of(s, light));
+        if eye < zero { light > zero } else { light < zero }
+    });
+    let by_plane = scene.planes.iter().any(|p| {
+        let height = |x| height_over(unit(p.normal), p.point, x);
+        if height(eye) < zero { height(light) > zero } else { height(light) < zero }
+    });
+    by_sphere || by_plane
+}
+
+fn robust_sphere(scene: &Draft, sphere: &Sphere, extent: f64) -> Shape {
+    let center = from_eye(scene, sphere.center);
+    let power = power_of(sphere, scene.camera.position);
+    let around = power < DoubleDouble::default();
+    let r = DoubleDouble::from(sphere.radius);
+    if sphere.radius < 2.0 * extent {
+        return Shape::Ball(Ball {
+            center: to_f32(center),
+            radius: rounded(sphere.radius),
+            radius_squared: rounded(sphere.radius * sphere.radius),
+            side: if around { -1.0 } else { 1.0 },
+        });
+    }
+    let side = DoubleDouble::from(if around { -1.0 } else { 1.0 });
+    Shape::Flat(Flat {
+        curvature: (side / r).to_f32(),
+        lean: to_f32(center.map(|c| side * c / r)),
+        offset: (side * power / r).to_f32(),
+    })
+}
+
+/// The normal is turned to the eye's side; an eye on the plane is where the normal points.
+fn robust_plane(scene: &Draft, plane: &Plane) -> Flat {
+    let normal = unit(plane.normal);
+    let height = height(scene, normal, plane.point);
+    let turned = height < DoubleDouble::default();
+    let lean = if turned { normal } else { normal.map(|x| -x) };
+    let height = if turned { -height } else { height };
+    Flat { curvature: 0.0, lean: lean.map(rounded).into(), offset: (height + height).to_f32() }
+}
+
+/// S: how far from the eye the surfaces are, the largest | |c| - r | and plane distance.
+fn extent(scene: &Draft) -> f64 {
+    let spheres = scene.spheres.iter().map(|s| {
+        // (|c|^2 - r^2)/(|c| + r), so that nothing cancels.
+        let c = from_eye(scene, s.center).map(DoubleDouble::to_f64);
+        let far = (c[0] * c[0] + c[1] * c[1] + c[2] * c[2]).sqrt() + s.radius;
+        (power_of(s, scene.camera.position).to_f64() / far).abs()
+    });
+    let planes = scene.planes.iter().map(|p| height(scene, unit(p.normal), p.point).to_f64().abs());
+    spheres.chain(planes).fold(0.0, |largest, d| if d > largest { d } else { largest })
+}
+
+/// |x - c|^2 - r^2: negative inside, positive outside.
+fn power_of(sphere: &Sphere, x: [f64; 3]) -> DoubleDouble {
+    let d: [_; 3] = std::array::from_fn(|i| DoubleDouble::difference(x[i], sphere.center[i]));
+    let r = DoubleDouble::from(sphere.radius);
+    d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - r * r
+}
+
+/// The eye's height over a plane.
+fn height(scene: &Draft, normal: [f64; 3], point: [f64; 3]) -> DoubleDouble {
+    height_over(normal, point, scene.camera.position)
+}
+
+/// normal · (x - point).
+fn height_over(normal: [f64; 3], point: [f64; 3], x: [f64; 3]) -> DoubleDouble {
+    let along = |i: usize| DoubleDouble::from(normal[i]) * DoubleDouble::difference(x[i], point[i]);
+    along(0) + along(1) + along(2)
+}
+
+fn to_f32(v: [DoubleDouble; 3]) -> Vec3 {
+    v.map(DoubleDouble::to_f32).into()
+}
