@@ -1,4 +1,4 @@
-//! A band of rows: packets of 4 x 2 pixels, partial ones at the edges.
+//! A band of rows: packets of eight pixels side by side, a partial one at the right edge.
 
 use catoptric_scene::{Compiled, Grid};
 
@@ -7,20 +7,16 @@ use crate::packet::{NONE, Rays, TooDeep, trace};
 use crate::stack::Stack;
 use crate::vec3::Vec3;
 
-/// Pixels of a packet side by side.
-const WIDE: usize = 4;
-
-/// Rows of a packet.
-const HIGH: usize = LANES / WIDE;
-
 /// Rows of a band.
-pub(crate) const ROWS: usize = 8 * HIGH;
+pub(crate) const ROWS: usize = 8;
 
-/// The work of one thread at a time: `pixels` holds whole rows, the first being row `top`.
+/// The work of one thread at a time.
 pub(crate) struct Band<'a, 'b> {
     pub(crate) scene: &'a Compiled,
     pub(crate) grid: &'a Grid,
-    pub(crate) top: usize,
+    /// Vertical positions of the band's sub-rows, `grid.samples` a row.
+    pub(crate) rows: &'a [f32],
+    /// Whole rows.
     pub(crate) pixels: &'a mut [[f32; 3]],
     pub(crate) stack: &'a mut Stack<'b>,
 }
@@ -30,32 +26,16 @@ impl Kernel for Band<'_, '_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> Result<(), TooDeep> {
-        let width = self.grid.width as usize;
-        let height = self.pixels.len() / width;
-        for y in (0..height).step_by(HIGH) {
-            for x in (0..width).step_by(WIDE) {
-                // Lane i is pixel (x + i % WIDE, y + i / WIDE); past an edge it is idle and
-                // stands on the last pixel.
-                let mut at = [(0, 0); LANES];
-                let mut inside = 0;
-                for (i, at) in at.iter_mut().enumerate() {
-                    let (px, py) = (x + i % WIDE, y + i / WIDE);
-                    inside |= u32::from(px < width && py < height) << i;
-                    *at = (px.min(width - 1), py.min(height - 1));
-                }
-                let colour = pixel_packet::<L>(
-                    self.scene,
-                    self.grid,
-                    self.top,
-                    &at,
-                    Mask::from_bits(inside),
-                    self.stack,
-                )?;
+        let n = self.grid.samples as usize;
+        let rows = self.pixels.chunks_exact_mut(self.grid.width as usize);
+        for (row, sub_rows) in rows.zip(self.rows.chunks_exact(n)) {
+            let packets = row.chunks_mut(LANES);
+            for (pixels, sub_columns) in packets.zip(self.grid.columns.chunks(LANES * n)) {
+                let colour =
+                    packet::<L>(self.scene, sub_columns, sub_rows, pixels.len(), self.stack)?;
                 let (r, g, b) = (colour.x.to_array(), colour.y.to_array(), colour.z.to_array());
-                for (i, (px, py)) in at.into_iter().enumerate() {
-                    if inside >> i & 1 == 1 {
-                        self.pixels[py * width + px] = [r[i], g[i], b[i]];
-                    }
+                for (pixel, ((r, g), b)) in pixels.iter_mut().zip(r.into_iter().zip(g).zip(b)) {
+                    *pixel = [r, g, b];
                 }
             }
         }
@@ -63,32 +43,33 @@ impl Kernel for Band<'_, '_> {
     }
 }
 
-/// The mean of the samples of eight pixels, summed from 0 row by row.
+/// The mean of the samples of `live` pixels, summed from 0 row by row.
+///
+/// Shape: `sub_columns[lane * n + i]`, `sub_rows[j]`. Idle lanes stand on the last pixel.
 #[inline(always)]
-fn pixel_packet<L: Lanes>(
+fn packet<L: Lanes>(
     scene: &Compiled,
-    grid: &Grid,
-    top: usize,
-    at: &[(usize, usize); LANES],
-    inside: Mask<L>,
+    sub_columns: &[f32],
+    sub_rows: &[f32],
+    live: usize,
     stack: &mut Stack,
 ) -> Result<Vec3<L>, TooDeep> {
-    let n = grid.samples as usize;
-    let mut sum = Vec3::zero();
-    for j in 0..n {
-        for i in 0..n {
-            let (mut columns, mut rows) = ([0.0; LANES], [0.0; LANES]);
-            for (lane, &(x, y)) in at.iter().enumerate() {
-                columns[lane] = grid.columns[x * n + i];
-                rows[lane] = grid.rows[(top + y) * n + j];
-            }
-            let rays = eye_rays(scene, L::from_array(columns), L::from_array(rows));
-            sum = sum + trace(scene, rays, inside, stack)?;
-        }
+    if let (&[row], Ok(columns)) = (sub_rows, <[f32; LANES]>::try_from(sub_columns)) {
+        // One sample: 0 + c is c, and so is c / 1.
+        let rays = eye_rays(scene, L::from_array(columns), L::splat(row));
+        return trace(scene, rays, Mask::first(LANES), stack);
     }
-    if n == 1 {
-        // 0 + c is c, and so is c / 1.
-        return Ok(sum);
+    let n = sub_rows.len();
+    let mut sum = Vec3::zero();
+    for &row in sub_rows {
+        for i in 0..n {
+            let mut columns = [0.0; LANES];
+            for (lane, column) in columns.iter_mut().enumerate() {
+                *column = sub_columns[lane.min(live - 1) * n + i];
+            }
+            let rays = eye_rays(scene, L::from_array(columns), L::splat(row));
+            sum = sum + trace(scene, rays, Mask::first(live), stack)?;
+        }
     }
     let samples = L::splat((n * n) as f32);
     Ok(Vec3 { x: sum.x / samples, y: sum.y / samples, z: sum.z / samples })

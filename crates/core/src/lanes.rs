@@ -75,12 +75,12 @@ impl<L: Lanes> Mask<L> {
         Self(L::splat(0.0))
     }
 
-    /// Lane i is true where bit i is 1.
+    /// True in the first `n` lanes.
     #[inline(always)]
-    pub(crate) fn from_bits(bits: u32) -> Self {
+    pub(crate) fn first(n: usize) -> Self {
         let mut lanes = [0.0; LANES];
-        for (i, lane) in lanes.iter_mut().enumerate() {
-            *lane = f32::from_bits(0u32.wrapping_sub(bits >> i & 1));
+        for lane in lanes.iter_mut().take(n) {
+            *lane = f32::from_bits(u32::MAX);
         }
         Self(L::from_array(lanes))
     }
@@ -229,8 +229,10 @@ impl Lanes for Portable {
     fn same_bits(self, other: Self) -> Mask<Self> {
         // SAFETY: both types are eight lanes of 32 bits, every bit pattern of which is valid.
         let equal = unsafe {
-            let (a, b): (i32x8, i32x8) =
-                (std::mem::transmute(self.0), std::mem::transmute(other.0));
+            let (a, b) = (
+                std::mem::transmute::<f32x8, i32x8>(self.0),
+                std::mem::transmute::<f32x8, i32x8>(other.0),
+            );
             std::mem::transmute::<i32x8, f32x8>(a.simd_eq(b))
         };
         Mask(Self(equal))

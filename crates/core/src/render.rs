@@ -51,15 +51,15 @@ pub fn render(
     let counts = film
         .pixels_mut()
         .par_chunks_mut(grid.width as usize * ROWS)
-        .enumerate()
+        .zip(grid.rows.par_chunks(grid.samples as usize * ROWS))
         .map_init(
             || Stack::new(&budget),
-            |stack, (band, pixels)| {
+            |stack, (pixels, rows)| {
                 if full.load(Ordering::Relaxed) {
                     return Counts::default();
                 }
                 let done = pixels.len() as u64;
-                let band = Band { scene, grid, top: band * ROWS, pixels, stack };
+                let band = Band { scene, grid, rows, pixels, stack };
                 if lanes::run(settings.isa, band).is_err() {
                     full.store(true, Ordering::Relaxed);
                 }
