@@ -14,8 +14,9 @@
 //! ```
 //!
 //! Accuracy: a hit at distance t of a sphere of radius r costs about |o - c|²·e / sqrt(disc)
-//! with e = 1e-16 in f64 and 5e-32 in double-double. On the workshop scene f64 is within
-//! 1e-11 of double-double; on spheres of 1e8 and more, and in closed mirror rooms, only
+//! with e = 1e-16 in f64 and 5e-32 in double-double, and each mirror amplifies what it is
+//! given. On the workshop scene to depth 32 f64 is within 1.4e-12 of double-double, 3.7e-11
+//! with a mirroring ground; on spheres of 1e8 and more, and in closed mirror rooms, only
 //! double-double is truth.
 //!
 //! The precision is a value and not a type parameter, so that both instances are compiled
@@ -43,14 +44,17 @@ use real::Real;
 /// a path that needs more fails.
 pub const DEPTH_ALLOWED: u32 = 100_000;
 
-/// Stack bytes that one reflection takes at most, in any build of this crate.
-pub const STACK_PER_LEVEL: usize = 1024;
+/// Stack bytes that one reflection takes at most. Measured on x86-64 in double-double: 496
+/// in release, 544 in this workspace's dev profile, 1184 without any optimisation; in f64
+/// 320, 304 and 752.
+pub const STACK_PER_LEVEL: usize = 1536;
 
 /// Stack bytes with which a thread can follow [`DEPTH_ALLOWED`] reflections.
 ///
 /// Truth recurses on the thread that calls it, and [`Truth::render`] on the threads of
-/// rayon's current pool. An ordinary thread of 2 MiB is good for about 1 900 levels; a
-/// caller that lets paths go deeper starts its threads with this much.
+/// rayon's current pool. An ordinary thread of 2 MiB is good for about 1 300 levels; a
+/// caller that lets paths go deeper starts its threads with this much. Only the pages that
+/// a path reaches are taken.
 pub const STACK_BYTES: usize = DEPTH_ALLOWED as usize * STACK_PER_LEVEL + (1 << 20);
 
 /// The arithmetic of truth.

@@ -4,5 +4,6 @@ mod agreement;
 mod cases;
 mod closed_forms;
 mod depth;
+mod distances;
 mod exact;
 mod scenes;
