@@ -6,4 +6,5 @@ mod closed_forms;
 mod depth;
 mod distances;
 mod exact;
+mod lights;
 mod scenes;

@@ -56,6 +56,43 @@ pub(crate) fn mirror(k: f64) -> Material {
     }
 }
 
+pub(crate) const RED: [f64; 3] = [1.0, 0.0, 0.0];
+pub(crate) const GREEN: [f64; 3] = [0.0, 1.0, 0.0];
+pub(crate) const DARK: [f64; 3] = [0.0; 3];
+
+pub(crate) fn ball(center: [f64; 3], radius: f64, color: [f64; 3]) -> Sphere {
+    Sphere {
+        center,
+        radius,
+        material: Material::matt(color),
+    }
+}
+
+pub(crate) fn plane(point: [f64; 3], normal: [f64; 3], color: [f64; 3]) -> Plane {
+    Plane {
+        point,
+        normal,
+        material: Material::matt(color),
+    }
+}
+
+/// Ambient 1, so that a primitive shows its colour; looking along -z from the origin.
+pub(crate) fn draft() -> Draft {
+    let mut draft = Draft::default();
+    draft.render.ambient = [1.0; 3];
+    draft
+}
+
+/// Ambient 0, so that only lights show.
+pub(crate) fn night(light: [f64; 3]) -> Draft {
+    let mut draft = Draft {
+        lights: vec![white_light(light)],
+        ..Draft::default()
+    };
+    draft.render.ambient = DARK;
+    draft
+}
+
 /// The workshop's five spheres, 30 degrees, a white light at (0, 20, 0); the ground's
 /// mirror factor is a parameter (the workshop's own is 0).
 pub(crate) fn workshop(width: u32, height: u32, max_depth: u32, ground: f64) -> Draft {
