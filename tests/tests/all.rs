@@ -1,1 +1,4 @@
+//! The tests that cross crates.
 
+mod deep;
+mod identity;

@@ -191,10 +191,7 @@ impl<T: Real> Model<T> {
             let pixels = (0..width).map(pixel).collect::<Result<Vec<_>, _>>()?;
             Ok((pixels, counts))
         };
-        let rows = (0..height)
-            .into_par_iter()
-            .map(row)
-            .collect::<Result<Vec<_>, _>>()?;
+        let rows = (0..height).into_par_iter().map(row).collect::<Result<Vec<_>, _>>()?;
 
         let mut counts = Counts::default();
         let mut pixels = Vec::with_capacity(width as usize * height as usize);
@@ -202,12 +199,7 @@ impl<T: Real> Model<T> {
             pixels.extend_from_slice(row);
             counts.add(part);
         }
-        Ok(TruthFilm {
-            width,
-            height,
-            pixels,
-            counts,
-        })
+        Ok(TruthFilm { width, height, pixels, counts })
     }
 
     fn pixel(
@@ -235,10 +227,7 @@ impl<T: Real> Model<T> {
         for depth in 0.. {
             let Some(hit) = self.nearest(&ray) else { break };
             let primitive = self.primitives[hit.index].id;
-            vertices.push(Vertex {
-                primitive,
-                point: hit.point.to_f64(),
-            });
+            vertices.push(Vertex { primitive, point: hit.point.to_f64() });
             let Some(next) = self.reflected(&ray, &hit, depth, weight) else {
                 break;
             };
@@ -249,10 +238,6 @@ impl<T: Real> Model<T> {
 
     fn eye_ray(&self, view: &View, at: Sample, nudge: [f64; 3]) -> Ray<T> {
         let direction = self.eye.direction(view, at, nudge);
-        Ray {
-            origin: self.eye.position,
-            direction,
-            leaves: None,
-        }
+        Ray { origin: self.eye.position, direction, leaves: None }
     }
 }

@@ -13,14 +13,8 @@ fn f64_agrees_with_double_double_on_the_workshop_scene() {
         let draft = workshop(320, 240, 32, ground);
         let [double, truth] = [Precision::F64, Precision::DoubleDouble].map(|p| render(&draft, p));
         let difference = largest_difference(&double, &truth);
-        assert!(
-            difference < bound,
-            "ground {ground}: f64 is {difference:e} off"
-        );
-        assert!(
-            difference > 1e-14,
-            "ground {ground}: f64 is only {difference:e} off"
-        );
+        assert!(difference < bound, "ground {ground}: f64 is {difference:e} off");
+        assert!(difference > 1e-14, "ground {ground}: f64 is only {difference:e} off");
         assert_eq!(double.counts, truth.counts);
     }
 }
@@ -37,21 +31,12 @@ fn a_translated_scene_is_the_same_picture() {
     let shift = |p: &mut [f64; 3]| *p = [0, 1, 2].map(|c| p[c] + by[c]);
     shift(&mut moved.camera.position);
     shift(&mut moved.camera.look_at);
-    moved
-        .lights
-        .iter_mut()
-        .for_each(|light| shift(&mut light.position));
-    moved
-        .spheres
-        .iter_mut()
-        .for_each(|sphere| shift(&mut sphere.center));
+    moved.lights.iter_mut().for_each(|light| shift(&mut light.position));
+    moved.spheres.iter_mut().for_each(|sphere| shift(&mut sphere.center));
 
     let [here, there] = [draft, moved].map(|d| render(&d, Precision::DoubleDouble));
     let difference = largest_difference(&here, &there);
-    assert!(
-        difference < 1e-15,
-        "moving the scene changes it by {difference:e}"
-    );
+    assert!(difference < 1e-15, "moving the scene changes it by {difference:e}");
 }
 
 /// Doubling is exact: the same bits.
@@ -62,10 +47,7 @@ fn a_scene_scaled_by_a_power_of_two_is_the_same_picture() {
         let mut scaled = draft.clone();
         let scale = |p: &mut [f64; 3]| *p = p.map(|x| x * factor);
         scale(&mut scaled.camera.look_at);
-        scaled
-            .lights
-            .iter_mut()
-            .for_each(|light| scale(&mut light.position));
+        scaled.lights.iter_mut().for_each(|light| scale(&mut light.position));
         for sphere in &mut scaled.spheres {
             scale(&mut sphere.center);
             sphere.radius *= factor;
@@ -81,8 +63,7 @@ fn threads_do_not_change_the_picture() {
     let draft = closed_room(17, 9, 6);
     let on = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.expect("a pool")
-            .install(|| render(&draft, Precision::F64))
+        pool.expect("a pool").install(|| render(&draft, Precision::F64))
     };
     assert_eq!(on(1), on(3));
 }
@@ -92,32 +73,18 @@ fn threads_do_not_change_the_picture() {
 fn samples_and_crop_keep_the_grid() {
     let mut draft = workshop(12, 8, 2, 0.3);
     let scene = Scene::new(draft.clone()).expect("valid");
-    let crop = catoptric_scene::Crop {
-        x: 3,
-        y: 2,
-        width: 5,
-        height: 4,
-    };
+    let crop = catoptric_scene::Crop { x: 3, y: 2, width: 5, height: 4 };
     let coarse = View::new(&scene, Some(crop), 2).expect("inside");
-    let film = Truth::new(&scene, Precision::DoubleDouble)
-        .render(&coarse)
-        .expect("shallow");
+    let film = Truth::new(&scene, Precision::DoubleDouble).render(&coarse).expect("shallow");
 
-    draft.image = Image {
-        width: 24,
-        height: 16,
-        ..draft.image
-    };
+    draft.image = Image { width: 24, height: 16, ..draft.image };
     let fine = render(&draft, Precision::DoubleDouble);
     for (x, y) in (0..4).flat_map(|y| (0..5).map(move |x| (x, y))) {
         let at = |i: usize, j: usize| fine.pixels[(2 * (y + 2) + j) * 24 + 2 * (x + 3) + i];
         let four = [at(0, 0), at(1, 0), at(0, 1), at(1, 1)];
         for c in 0..3 {
             let mean = four.iter().map(|pixel| pixel[c]).sum::<f64>() / 4.0;
-            assert!(
-                (film.pixels[y * 5 + x][c] - mean).abs() < 1e-15,
-                "pixel {x},{y}"
-            );
+            assert!((film.pixels[y * 5 + x][c] - mean).abs() < 1e-15, "pixel {x},{y}");
         }
     }
     assert_eq!(film.counts.primary(), 5 * 4 * 4);
@@ -127,17 +94,9 @@ fn samples_and_crop_keep_the_grid() {
 
 #[test]
 fn a_nudge_turns_the_eye_ray() {
-    let sphere = Sphere {
-        center: [0.0, 0.0, -5.0],
-        radius: 1.0,
-        material: mirror(0.0),
-    };
+    let sphere = Sphere { center: [0.0, 0.0, -5.0], radius: 1.0, material: mirror(0.0) };
     let draft = Draft {
-        image: Image {
-            width: 1,
-            height: 1,
-            ..Image::default()
-        },
+        image: Image { width: 1, height: 1, ..Image::default() },
         camera: Camera::default(),
         spheres: vec![sphere],
         ..Draft::default()

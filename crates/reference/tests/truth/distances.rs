@@ -12,10 +12,7 @@ use dashu_float::{FBig, round::mode::HalfEven};
 type Number = FBig<HalfEven, 2>;
 
 fn number(x: f64) -> Number {
-    Number::try_from(x)
-        .expect("finite")
-        .with_precision(300)
-        .value()
+    Number::try_from(x).expect("finite").with_precision(300).value()
 }
 
 fn dot(a: &[Number; 3], b: &[Number; 3]) -> Number {
@@ -43,11 +40,7 @@ fn exact_hit(camera: &Camera, sphere: &Sphere) -> Option<[f64; 3]> {
         return None;
     }
     let half_chord = (half_chord / dd).sqrt();
-    let t = if inside {
-        foot + half_chord
-    } else {
-        foot - half_chord
-    };
+    let t = if inside { foot + half_chord } else { foot - half_chord };
     let position = camera.position.map(number);
     Some([0, 1, 2].map(|c| (&position[c] + &t * &d[c]).to_f64().value()))
 }
@@ -57,10 +50,8 @@ struct Sequence(u64);
 
 impl Sequence {
     fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 
@@ -84,23 +75,10 @@ fn worst(precision: Precision, radius: f64, height: f64) -> (f64, usize) {
         // From straight at the centre to beyond the limb.
         let slant = sequence.next().abs() * radius.min(3.0 * height.abs());
         let look_at = [0, 1, 2].map(|c| position[c] - out[c] * height.abs() + aside[c] * slant);
-        let camera = Camera {
-            position,
-            look_at,
-            up: sequence.unit(),
-            fov: 30.0,
-        };
-        let sphere = Sphere {
-            center,
-            radius,
-            material: Material::matt([1.0; 3]),
-        };
+        let camera = Camera { position, look_at, up: sequence.unit(), fov: 30.0 };
+        let sphere = Sphere { center, radius, material: Material::matt([1.0; 3]) };
         let draft = Draft {
-            image: Image {
-                width: 1,
-                height: 1,
-                ..Image::default()
-            },
+            image: Image { width: 1, height: 1, ..Image::default() },
             camera,
             spheres: vec![sphere],
             ..Draft::default()
@@ -110,11 +88,7 @@ fn worst(precision: Precision, radius: f64, height: f64) -> (f64, usize) {
         let exact = exact_hit(&camera, &sphere);
         // In f64 a hit near the limb may be lost or won; double-double never differs here.
         if precision == Precision::DoubleDouble {
-            assert_eq!(
-                found.len(),
-                usize::from(exact.is_some()),
-                "{sphere:?} from {camera:?}"
-            );
+            assert_eq!(found.len(), usize::from(exact.is_some()), "{sphere:?} from {camera:?}");
         }
         let (Some(found), Some(exact)) = (found.first(), exact) else {
             continue;
@@ -134,14 +108,8 @@ fn double_double_hits_are_right_to_the_last_bit_of_f64_at_every_radius() {
         let radius = 10.0_f64.powf(f64::from(exponent));
         for height in [0.5 * radius, 4.0, 1e3 * radius.min(1e9), -0.3 * radius] {
             let (error, hits) = worst(Precision::DoubleDouble, radius, height);
-            assert!(
-                hits >= 10,
-                "only {hits} of 40 lines meet r = {radius:e} at {height:e}"
-            );
-            assert!(
-                error <= 1.2e-16,
-                "r = {radius:e}, {height:e} away: {error:e}"
-            );
+            assert!(hits >= 10, "only {hits} of 40 lines meet r = {radius:e} at {height:e}");
+            assert!(error <= 1.2e-16, "r = {radius:e}, {height:e} away: {error:e}");
         }
     }
 }

@@ -15,10 +15,7 @@ type Number = FBig<HalfEven, 2>;
 const BITS: usize = 240;
 
 fn number(x: f64) -> Number {
-    Number::try_from(x)
-        .expect("finite")
-        .with_precision(BITS)
-        .value()
+    Number::try_from(x).expect("finite").with_precision(BITS).value()
 }
 
 fn to_f64(x: &Number) -> f64 {
@@ -115,10 +112,7 @@ fn trace(draft: &Draft, x: u32, y: u32) -> Path {
     };
     let zero = number(0.0);
     let (mut o, mut d) = (Point::new(draft.camera.position), eye_ray(draft, x, y));
-    let mut path = Path {
-        vertices: Vec::new(),
-        color: [0.0; 3],
-    };
+    let mut path = Path { vertices: Vec::new(), color: [0.0; 3] };
     let mut weight = 1.0;
     let mut own = None;
     for _ in 0..=draft.render.max_depth {
@@ -130,21 +124,14 @@ fn trace(draft: &Draft, x: u32, y: u32) -> Path {
         };
         o = o.along(&t, &d);
         own = Some(id);
-        path.vertices.push(Vertex {
-            primitive: id,
-            point: o.to_f64(),
-        });
+        path.vertices.push(Vertex { primitive: id, point: o.to_f64() });
 
         let outward = match draft.spheres.get(id) {
             Some(sphere) => o.minus(&Point::new(sphere.center)),
             None => Point::new(draft.planes[id - draft.spheres.len()].normal),
         };
         let facing = outward.dot(&d) < zero;
-        let n = if facing {
-            outward
-        } else {
-            Point::new([0.0; 3]).minus(&outward)
-        };
+        let n = if facing { outward } else { Point::new([0.0; 3]).minus(&outward) };
         let n = n.unit();
         let view = Point::new([0.0; 3]).minus(&d.unit());
 
@@ -198,20 +185,13 @@ fn compare(draft: &Draft, point_error: f64, color_error: f64) -> usize {
         for (depth, (f, e)) in found.iter().zip(&exact.vertices).enumerate() {
             for c in 0..3 {
                 let error = (f.point[c] - e.point[c]).abs();
-                assert!(
-                    error <= point_error,
-                    "pixel {x},{y} depth {depth}: {f:?}, exact {e:?}"
-                );
+                assert!(error <= point_error, "pixel {x},{y} depth {depth}: {f:?}, exact {e:?}");
             }
         }
         let color = truth.radiance(&view, x, y).expect("not too deep");
         for c in 0..3 {
             let error = (color[c] - exact.color[c]).abs();
-            assert!(
-                error <= color_error,
-                "pixel {x},{y}: {color:?}, exact {:?}",
-                exact.color
-            );
+            assert!(error <= color_error, "pixel {x},{y}: {color:?}, exact {:?}", exact.color);
         }
         longest = longest.max(found.len());
     }
@@ -235,19 +215,12 @@ fn scatterer_paths_are_exact() {
     draft.render.max_depth = 15;
     compare(&draft, 1e-15, 4e-15);
     let ([ax, ay, az], [bx, by, bz]) = (draft.spheres[0].center, draft.spheres[1].center);
-    draft.camera.position = [
-        ax + 0.37 * (bx - ax),
-        ay + 0.37 * (by - ay),
-        az + 0.37 * (bz - az),
-    ];
+    draft.camera.position = [ax + 0.37 * (bx - ax), ay + 0.37 * (by - ay), az + 0.37 * (bz - az)];
     draft.camera.look_at = [bx, by, bz];
     for (fov, bounces) in [(20.0, 2), (1.0, 3), (1e-3, 6), (1e-6, 9), (1e-9, 12)] {
         draft.camera.fov = fov;
         let longest = compare(&draft, 1e-15, 4e-15);
-        assert!(
-            longest > bounces,
-            "at {fov} degrees the longest path has {longest} hits"
-        );
+        assert!(longest > bounces, "at {fov} degrees the longest path has {longest} hits");
     }
 }
 

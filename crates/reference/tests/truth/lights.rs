@@ -15,11 +15,7 @@ fn an_eye_inside_a_sphere_sees_its_far_side_lit_from_within() {
     outside.lights = vec![white_light([0.0, 0.0, 8.0])];
     for precision in BOTH {
         assert_near(ahead(&scene, precision), RED, 1e-15);
-        assert_eq!(
-            ahead(&outside, precision),
-            DARK,
-            "the wall hides a light outside"
-        );
+        assert_eq!(ahead(&outside, precision), DARK, "the wall hides a light outside");
     }
 }
 
@@ -38,11 +34,7 @@ fn a_light_inside_a_sphere_lights_nothing_outside() {
 #[test]
 fn a_light_on_a_sphere_lights_its_own_side_only() {
     let mut scene = night([1.0, 2.0, -8.0]);
-    scene.image = Image {
-        width: 40,
-        height: 40,
-        ..scene.image
-    };
+    scene.image = Image { width: 40, height: 40, ..scene.image };
     scene.camera.fov = 60.0;
     scene.planes = vec![
         plane([0.0, 0.0, -20.0], [0.0, 0.0, 1.0], GREEN),
@@ -62,11 +54,7 @@ fn a_light_on_a_sphere_lights_its_own_side_only() {
                 continue;
             }
             let above = 20.0 * x + 40.0 * y - 20.0 > 9.0;
-            assert_eq!(
-                pixel[1] > 0.0,
-                above,
-                "{precision:?}: wall at {x},{y}: {pixel:?}"
-            );
+            assert_eq!(pixel[1] > 0.0, above, "{precision:?}: wall at {x},{y}: {pixel:?}");
         }
     }
 }
@@ -74,11 +62,7 @@ fn a_light_on_a_sphere_lights_its_own_side_only() {
 #[test]
 fn a_light_behind_a_plane_or_in_it_does_not_light_it() {
     let wall = Plane {
-        material: Material {
-            specular: 1.0,
-            reflect: Some(0.0),
-            ..Material::matt(GREEN)
-        },
+        material: Material { specular: 1.0, reflect: Some(0.0), ..Material::matt(GREEN) },
         ..plane([0.3, 0.7, -5.0], [0.1, 0.2, 1.0], GREEN)
     };
     let heights = [([2.3, -0.3, -4.9], true), ([2.3, -0.3, -5.1], false)];
@@ -86,31 +70,16 @@ fn a_light_behind_a_plane_or_in_it_does_not_light_it() {
         let mut scene = night(light);
         scene.planes = vec![wall];
         for precision in BOTH {
-            assert_eq!(
-                ahead(&scene, precision)[1] > 0.0,
-                lit,
-                "{light:?} {precision:?}"
-            );
+            assert_eq!(ahead(&scene, precision)[1] > 0.0, lit, "{light:?} {precision:?}");
         }
     }
     // Exactly in the plane, seen in every direction: no highlight from rounding's n·l.
     let mut scene = night([2.0, -1.0, -5.0]);
-    scene.image = Image {
-        width: 30,
-        height: 30,
-        ..scene.image
-    };
-    scene.planes = vec![Plane {
-        point: [0.0, 0.0, -5.0],
-        normal: [1.0, 2.0, 7.0],
-        ..wall
-    }];
+    scene.image = Image { width: 30, height: 30, ..scene.image };
+    scene.planes = vec![Plane { point: [0.0, 0.0, -5.0], normal: [1.0, 2.0, 7.0], ..wall }];
     for precision in BOTH {
         let film = render(&scene, precision);
-        assert!(
-            film.pixels.iter().all(|&pixel| pixel == DARK),
-            "{precision:?}"
-        );
+        assert!(film.pixels.iter().all(|&pixel| pixel == DARK), "{precision:?}");
         assert_eq!(film.counts.shadow(), 0);
     }
 }
@@ -158,11 +127,7 @@ fn a_shadow_falls_where_the_occluder_is_nearer_than_the_light() {
 fn a_contact_is_in_shadow() {
     // A ball that stands on the floor; the floor just at the contact, the light overhead.
     let mut scene = night([0.0, 9.0, -5.0]);
-    scene.camera = Camera {
-        position: [0.0, 1.0, 5.0],
-        look_at: [0.0, -1.0, -5.0],
-        ..scene.camera
-    };
+    scene.camera = Camera { position: [0.0, 1.0, 5.0], look_at: [0.0, -1.0, -5.0], ..scene.camera };
     scene.planes = vec![plane([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], GREEN)];
     scene.spheres = vec![ball([0.0, 1e-3 - 1.0, -5.0], 1e-3, DARK)];
     for precision in BOTH {
@@ -177,26 +142,15 @@ fn a_contact_is_in_shadow() {
 /// must not make light of that.
 #[test]
 fn a_highlight_is_never_brighter_than_its_light() {
-    let material = Material {
-        specular: 1.0,
-        shininess: 1e38,
-        reflect: Some(0.0),
-        ..Material::matt(DARK)
-    };
+    let material =
+        Material { specular: 1.0, shininess: 1e38, reflect: Some(0.0), ..Material::matt(DARK) };
     for step in 0..50 {
         let at = [0.1 * f64::from(step), 0.7, -3.1];
         let mut scene = night([0.0; 3]);
         scene.camera.look_at = at;
-        scene.spheres = vec![Sphere {
-            material,
-            ..ball(at, 1.3, DARK)
-        }];
+        scene.spheres = vec![Sphere { material, ..ball(at, 1.3, DARK) }];
         for precision in BOTH {
-            assert!(
-                ahead(&scene, precision)
-                    .iter()
-                    .all(|&channel| (0.0..=1.0).contains(&channel))
-            );
+            assert!(ahead(&scene, precision).iter().all(|&channel| (0.0..=1.0).contains(&channel)));
         }
     }
 }
