@@ -2,3 +2,5 @@
 
 mod deep;
 mod identity;
+mod kernel;
+mod planted;

@@ -73,7 +73,7 @@ fn a_cut_by_weight() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config())]
 
     #[test]
     fn generated_scenes(
@@ -92,4 +92,11 @@ proptest! {
 fn same(scene: &Scene, samples: u32) -> Result<(), TestCaseError> {
     let view = View::new(scene, None, samples).expect("whole");
     check("generated", scene, &view).map_err(TestCaseError::fail)
+}
+
+/// `PROPTEST_CASES` asks for more or fewer.
+fn config() -> ProptestConfig {
+    let default = ProptestConfig::default();
+    let cases = if std::env::var_os("PROPTEST_CASES").is_some() { default.cases } else { 2_000 };
+    ProptestConfig { cases, failure_persistence: None, ..default }
 }

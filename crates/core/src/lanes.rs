@@ -79,8 +79,8 @@ impl<L: Lanes> Mask<L> {
     #[inline(always)]
     pub(crate) fn first(n: usize) -> Self {
         let mut lanes = [0.0; LANES];
-        for lane in lanes.iter_mut().take(n) {
-            *lane = f32::from_bits(u32::MAX);
+        for (i, lane) in lanes.iter_mut().enumerate() {
+            *lane = f32::from_bits(if i < n { u32::MAX } else { 0 });
         }
         Self(L::from_array(lanes))
     }
