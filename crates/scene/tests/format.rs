@@ -55,7 +55,81 @@ fn lights_and_materials_have_defaults_too() {
     assert_eq!(material.reflect, None);
 }
 
+/// The workshop's picture, most of whose settings are the defaults.
 const WORKSHOP: &str = r#"
+[[lights]]
+position = [0, 20, 0]
+intensity = 1
+
+[materials.ground]
+color = [0.4, 0.4, 0.4]
+
+[materials.red]
+color = [1.00, 0.32, 0.36]
+diffuse = 0.2
+specular = 0.8
+shininess = 20
+
+[[spheres]]
+center = [0, -10004, -20]
+radius = 10000
+material = "ground"
+
+[[spheres]]
+center = [0, 0, -20]
+radius = 4
+material = "red"
+
+[[spheres]]
+center = [5, -1, -15]
+radius = 2
+color = [0.90, 0.76, 0.46]
+diffuse = 0.1
+specular = 0.9
+shininess = 20
+
+[[spheres]]
+center = [5, 0, -25]
+radius = 3
+color = [0.65, 0.77, 0.97]
+diffuse = 0.5
+specular = 0.5
+shininess = 20
+
+[[spheres]]
+center = [-5.5, 0, -15]
+radius = 3
+color = [0.90, 0.90, 0.90]
+diffuse = 0.5
+specular = 0.5
+shininess = 20
+"#;
+
+#[test]
+fn the_workshop_is_read() {
+    let glossy = |color, diffuse, specular| Material {
+        diffuse,
+        specular,
+        shininess: 20.0,
+        ..Material::matt(color)
+    };
+    let sphere = |center, radius, material| Sphere { center, radius, material };
+    let expected = Draft {
+        lights: vec![Light { position: [0.0, 20.0, 0.0], intensity: [1.0; 3] }],
+        spheres: vec![
+            sphere([0.0, -10_004.0, -20.0], 10_000.0, Material::matt([0.4; 3])),
+            sphere([0.0, 0.0, -20.0], 4.0, glossy([1.0, 0.32, 0.36], 0.2, 0.8)),
+            sphere([5.0, -1.0, -15.0], 2.0, glossy([0.9, 0.76, 0.46], 0.1, 0.9)),
+            sphere([5.0, 0.0, -25.0], 3.0, glossy([0.65, 0.77, 0.97], 0.5, 0.5)),
+            sphere([-5.5, 0.0, -15.0], 3.0, glossy([0.9; 3], 0.5, 0.5)),
+        ],
+        ..Draft::default()
+    };
+    assert_eq!(*toml(WORKSHOP).expect("valid"), expected);
+}
+
+/// No setting is its default.
+const ALL_KEYS: &str = r#"
 [image]
 width = 320
 height = 240
@@ -71,6 +145,7 @@ max_depth = 4294967295
 [camera]
 position = [0, 1, 0]
 look_at = [0, 0, -20]
+up = [1, 1, 0]
 fov = 30.5
 
 [[lights]]
@@ -104,7 +179,7 @@ normal = [0, 1, 0]
 material = "red"
 "#;
 
-fn workshop() -> Draft {
+fn all_keys() -> Draft {
     let red = Material {
         color: [1.0, 0.32, 0.36],
         diffuse: 0.2,
@@ -118,7 +193,7 @@ fn workshop() -> Draft {
         camera: Camera {
             position: [0.0, 1.0, 0.0],
             look_at: [0.0, 0.0, -20.0],
-            up: [0.0, 1.0, 0.0],
+            up: [1.0, 1.0, 0.0],
             fov: 30.5,
         },
         render: Render {
@@ -142,14 +217,14 @@ fn workshop() -> Draft {
 
 #[test]
 fn every_key_is_read() {
-    assert_eq!(*toml(WORKSHOP).expect("valid"), workshop());
+    assert_eq!(*toml(ALL_KEYS).expect("valid"), all_keys());
 }
 
 #[test]
 fn json_has_the_same_keys() {
     let text = r#"{
         "image": {"width": 320, "height": 240, "transfer": "srgb"},
-        "camera": {"position": [0, 1, 0], "look_at": [0, 0, -20], "fov": 30.5},
+        "camera": {"position": [0, 1, 0], "look_at": [0, 0, -20], "up": [1, 1, 0], "fov": 30.5},
         "render": {
             "numerics": "textbook", "background": [0, 0.5, 1], "ambient": [0.1, 0.2, 0.3],
             "min_weight": 1e-3, "max_depth": 4294967295
@@ -168,7 +243,7 @@ fn json_has_the_same_keys() {
         ],
         "planes": [{"point": [0, -4, 0], "normal": [0, 1, 0], "material": "red"}]
     }"#;
-    assert_eq!(*json(text).expect("valid"), workshop());
+    assert_eq!(*json(text).expect("valid"), all_keys());
 }
 
 #[test]
@@ -233,6 +308,6 @@ fn formats_by_name_and_by_text() {
 
 #[test]
 fn a_scene_gives_its_draft_back() {
-    let scene = Scene::new(workshop()).expect("valid");
-    assert_eq!(scene.into_draft(), workshop());
+    let scene = Scene::new(all_keys()).expect("valid");
+    assert_eq!(scene.into_draft(), all_keys());
 }

@@ -106,3 +106,15 @@ fn json_has_a_line_for_each_table() {
 "#;
     assert_eq!(sharing().to_text(SceneFormat::Json), text);
 }
+
+#[test]
+fn zeros_keep_their_signs() {
+    let mut draft = Draft::default();
+    draft.render.background = [0.0, -0.0, 0.0];
+    draft.render.ambient = [0.0, 0.0, -0.0];
+    draft.render.min_weight = -0.0;
+    let scene = Scene::new(draft).expect("a zero of either sign is at least 0");
+    for format in [SceneFormat::Toml, SceneFormat::Json] {
+        assert_eq!(format!("{:?}", read_back(&scene, format)), format!("{scene:?}"));
+    }
+}
