@@ -245,3 +245,18 @@ fn a_sphere_below_the_rounding_of_its_place_gives_numbers() {
         );
     }
 }
+
+/// The eye 1e-3 inside a sphere whose f64 squares are coarser than that: still numbers, and
+/// never past the wall.
+#[test]
+fn an_eye_inside_the_skin_of_a_huge_sphere_sees_the_wall() {
+    for step in 0..40 {
+        let mut scene = draft();
+        scene.spheres = vec![ball([3e11, -4e11, 0.0], 5e11 + 1e-3, RED)];
+        let turn = 0.16 * f64::from(step);
+        scene.camera.look_at = [turn.cos(), turn.sin(), 0.3];
+        for precision in BOTH {
+            assert_eq!(ahead(&scene, precision), RED, "{precision:?} {turn}");
+        }
+    }
+}
