@@ -170,3 +170,35 @@ fn a_sphere_below_the_rounding_of_its_place_gives_numbers() {
         assert!(ahead(&scene, precision).iter().all(|channel| channel.is_finite()));
     }
 }
+
+/// The eye an ulp or so inside a huge sphere, looking along the wall: in f64 the
+/// discriminant is nothing but rounding, and the wall is seen all the same.
+#[test]
+fn an_eye_inside_the_skin_of_a_huge_sphere_sees_the_wall() {
+    for step in 0..60 {
+        let (sin, cos) = (0.1 * f64::from(step)).sin_cos();
+        let center = [5e11 * cos, 5e11 * sin, 5.99e11];
+        let radius = center[0].hypot(center[1]).hypot(center[2]).next_up();
+        let mut scene = draft();
+        scene.spheres = vec![ball(center, radius, RED)];
+        scene.camera.look_at = [-sin, cos, 0.0];
+        scene.camera.up = [0.0, 0.0, 1.0];
+        for precision in BOTH {
+            assert_eq!(ahead(&scene, precision), RED, "{precision:?} {step}");
+        }
+        // A NaN distance would show the wall as well, nowhere.
+        scene.image = Image {
+            width: 1,
+            height: 1,
+            ..scene.image
+        };
+        let scene = Scene::new(scene).expect("valid");
+        for precision in BOTH {
+            let path = Truth::new(&scene, precision).path(&View::whole(&scene), 0, 0);
+            assert!(
+                path[0].point.iter().all(|x| x.is_finite()),
+                "{precision:?} {step}"
+            );
+        }
+    }
+}

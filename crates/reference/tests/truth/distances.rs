@@ -95,8 +95,8 @@ fn worst(precision: Precision, radius: f64, height: f64) -> (f64, usize) {
         };
         hits += 1;
         let size = exact.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-        for c in 0..3 {
-            worst = worst.max((found.point[c] - exact[c]).abs() / size);
+        for (found, exact) in found.point.iter().zip(exact) {
+            worst = worst.max((found - exact).abs() / size);
         }
     }
     (worst, hits)

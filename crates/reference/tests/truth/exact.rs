@@ -152,10 +152,11 @@ fn trace(draft: &Draft, x: u32, y: u32) -> Path {
             let mirrored = n.along(&zero, &n).0.map(|c| number(2.0) * &cosine * c);
             let mirrored = Point(mirrored).minus(&l);
             let highlight = to_f64(&mirrored.dot(&view)).max(0.0).powf(m.shininess);
-            for c in 0..3 {
-                local[c] += light.intensity[c]
-                    * (m.diffuse * m.color[c] * to_f64(&cosine) + m.specular * highlight);
-            }
+            let light = |c: usize| {
+                let diffuse = m.diffuse * m.color[c] * to_f64(&cosine);
+                light.intensity[c] * (diffuse + m.specular * highlight)
+            };
+            local = [0, 1, 2].map(|c| local[c] + light(c));
         }
         // Summed forward: the same sum in the reals.
         path.color = [0, 1, 2].map(|c| path.color[c] + weight * local[c]);
