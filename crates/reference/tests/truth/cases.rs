@@ -187,18 +187,11 @@ fn an_eye_inside_the_skin_of_a_huge_sphere_sees_the_wall() {
             assert_eq!(ahead(&scene, precision), RED, "{precision:?} {step}");
         }
         // A NaN distance would show the wall as well, nowhere.
-        scene.image = Image {
-            width: 1,
-            height: 1,
-            ..scene.image
-        };
+        scene.image = Image { width: 1, height: 1, ..scene.image };
         let scene = Scene::new(scene).expect("valid");
         for precision in BOTH {
             let path = Truth::new(&scene, precision).path(&View::whole(&scene), 0, 0);
-            assert!(
-                path[0].point.iter().all(|x| x.is_finite()),
-                "{precision:?} {step}"
-            );
+            assert!(path[0].point.iter().all(|x| x.is_finite()), "{precision:?} {step}");
         }
     }
 }

@@ -78,11 +78,7 @@ fn the_highlight_falls_with_its_power() {
             ..Draft::default()
         };
         for precision in BOTH {
-            let relative = if precision == Precision::F64 {
-                5e-15
-            } else {
-                2.3e-16
-            };
+            let relative = if precision == Precision::F64 { 5e-15 } else { 2.3e-16 };
             assert_near(ahead(&draft, precision), [power; 3], relative);
         }
     }
