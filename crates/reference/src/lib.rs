@@ -14,6 +14,7 @@ mod power;
 mod render;
 mod textbook;
 pub mod trace;
+pub mod truth;
 
 pub use power::power;
 pub use render::{DEPTH_ALLOWED, STACK_BYTES, TooDeep, render};

@@ -1,0 +1,8 @@
+//! Truth against closed forms, against arbitrary precision, and against itself.
+
+mod agreement;
+mod cases;
+mod closed_forms;
+mod depth;
+mod exact;
+mod scenes;
