@@ -24,5 +24,6 @@ pub use double_double::DoubleDouble;
 pub use draft::{Camera, Draft, Image, Light, Material, Numerics, Plane, Render, Sphere, Transfer};
 pub use error::SceneError;
 pub use film::{Film, Quantiser};
+pub use read::{Document, SceneFormat};
 pub use scene::Scene;
 pub use view::{Crop, Grid, View, ViewError};

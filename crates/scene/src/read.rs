@@ -1,1 +1,190 @@
 //! Text to scene.
+//!
+//! Both formats become one tree of values (`value`), which one reader turns into a
+//! [`Draft`] (`draft`, `table`), so that they cannot differ. The tree holds no places in
+//! the text: when a key is wrong, and only then, the text is parsed once more and the
+//! key's path walked in it (`locate` of `toml` and of `json`).
+
+mod draft;
+mod json;
+mod nearest;
+mod table;
+mod toml;
+mod value;
+
+use std::ops::Range;
+use std::path::Path;
+
+use crate::error::{Fault, KeyPath, Problem, Segment, Target};
+use crate::validate::{validate_materials, validate_settings};
+use crate::{Draft, Material, Scene, SceneError};
+use value::Value;
+
+/// The language of a scene file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SceneFormat {
+    /// For people.
+    Toml,
+    /// For programs; the same keys.
+    Json,
+}
+
+impl SceneFormat {
+    /// By a file's name: JSON if it ends in `.json` (in any case), otherwise TOML.
+    #[must_use]
+    pub fn of_path(path: &Path) -> Self {
+        let json = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
+        if json { Self::Json } else { Self::Toml }
+    }
+
+    /// By the text, for a scene without a name: JSON if the first byte that is not blank
+    /// is `{`, otherwise TOML.
+    #[must_use]
+    pub fn of_text(text: &[u8]) -> Self {
+        let text = text.strip_prefix(BYTE_ORDER_MARK.as_bytes()).unwrap_or(text);
+        if text.trim_ascii_start().starts_with(b"{") { Self::Json } else { Self::Toml }
+    }
+}
+
+const BYTE_ORDER_MARK: &str = "\u{feff}";
+
+/// A scene file that was read: its text and the draft that it states.
+///
+/// Change the draft at will (as a program's options do), then make it a scene. An error
+/// names the file and the place of the wrong value in it, unless that value did not come
+/// from the file.
+#[derive(Clone, Debug)]
+pub struct Document {
+    name: String,
+    text: String,
+    format: SceneFormat,
+    draft: Draft,
+    /// All materials that have a name, so that unused ones are validated too.
+    materials: Vec<(String, Material)>,
+}
+
+impl Document {
+    /// Reads a scene's text. `name` stands for the file in messages.
+    ///
+    /// A byte order mark is skipped. Keys that are absent take their defaults.
+    ///
+    /// # Errors
+    /// No text at all (zero bytes, or only white space), text that is not UTF-8 or not of
+    /// that format, nested deeper than any scene needs, a key twice, an unknown key, a
+    /// value of the wrong type, a required key that is missing, an unknown material, a
+    /// material named and stated inline. Ranges are not checked here.
+    pub fn parse(name: &str, bytes: &[u8], format: SceneFormat) -> Result<Self, SceneError> {
+        let text = std::str::from_utf8(bytes)
+            .map_err(|error| SceneError::of_file(name, Problem::NotText(error.valid_up_to())))?;
+        let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
+        if text.trim().is_empty() {
+            return Err(SceneError::of_file(name, Problem::Empty));
+        }
+        let root = match format {
+            SceneFormat::Toml => toml::parse(name, text)?,
+            SceneFormat::Json => json::parse(name, text)?,
+        };
+        let (draft, materials) =
+            draft::read(&root).map_err(|fault| locate_stated(name, text, format, fault))?;
+        Ok(Self { name: name.to_owned(), text: text.to_owned(), format, draft, materials })
+    }
+
+    /// The name that messages use.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What the file states, or what was made of it.
+    #[must_use]
+    pub fn draft(&self) -> &Draft {
+        &self.draft
+    }
+
+    /// The draft, for setting what stands above the file.
+    pub fn draft_mut(&mut self) -> &mut Draft {
+        &mut self.draft
+    }
+
+    /// Validates the draft, and the named materials that nothing uses.
+    ///
+    /// # Errors
+    /// The first key, in the order of the format, whose value is not allowed.
+    pub fn into_scene(mut self) -> Result<Scene, SceneError> {
+        let draft = std::mem::take(&mut self.draft);
+        validate_settings(&draft)
+            .and_then(|()| validate_materials(&draft, &self.materials))
+            .map_err(SceneError::from)
+            .and_then(|()| Scene::new(draft))
+            .map_err(|error| self.locate_found(error))
+    }
+
+    /// Adds the place of a value that is out of range, if the file holds that value.
+    fn locate_found(&self, error: SceneError) -> SceneError {
+        let Some(fault) = error.fault() else {
+            return error;
+        };
+        let located = locate(&self.text, self.format, &fault.path, Target::Value);
+        match located {
+            Some(located) if located.value.describe() == fault.found => {
+                // `ambient = -1` stands for three numbers; the file has no `ambient[0]`.
+                let mut fault = fault.clone();
+                fault.path.0.truncate(located.depth);
+                place(&self.name, &self.text, self.format, fault.into(), located.span)
+            }
+            _ => error.not_in_file(&self.name),
+        }
+    }
+}
+
+/// Adds the place of what the text states wrongly. A key that is missing is shown at the
+/// table that lacks it.
+fn locate_stated(name: &str, text: &str, format: SceneFormat, fault: Fault) -> SceneError {
+    let mut path = fault.path.clone();
+    loop {
+        if let Some(located) = locate(text, format, &path, fault.target) {
+            return place(name, text, format, fault.into(), located.span);
+        }
+        // The top level is always there, and has no place of its own worth showing.
+        if path.0.len() <= 1 {
+            return SceneError::of_file(name, Problem::Key(fault));
+        }
+        path.0.pop();
+    }
+}
+
+fn place(
+    name: &str,
+    text: &str,
+    format: SceneFormat,
+    error: SceneError,
+    span: Range<usize>,
+) -> SceneError {
+    match format {
+        SceneFormat::Toml => error.shown(name, text, span),
+        SceneFormat::Json => error.at(name, text, span.start),
+    }
+}
+
+/// A key's value in the text.
+struct Located {
+    /// Its bytes, or those of the key if that was asked for.
+    span: Range<usize>,
+    value: Value,
+    /// Segments of the path that were walked: fewer than all where a number stands for an
+    /// array.
+    depth: usize,
+}
+
+/// Finds a key; `None` if the text does not have it.
+fn locate(text: &str, format: SceneFormat, path: &KeyPath, target: Target) -> Option<Located> {
+    match format {
+        SceneFormat::Toml => toml::locate(text, &path.0, target),
+        SceneFormat::Json => json::locate(text, &path.0),
+    }
+}
+
+/// Whether a number stands in place of the array that the rest of a path points into.
+fn stands_for_array(value: &Value, rest: &[Segment]) -> bool {
+    matches!(value, Value::Number { .. }) && matches!(rest, [Segment::Index(_)])
+}

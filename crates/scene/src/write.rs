@@ -1,1 +1,28 @@
 //! Scene to text.
+//!
+//! Both formats hold the same keys with the same values, and the values even have the same
+//! spelling in both (`entries`); only the layout around them differs (`layout`).
+
+mod entries;
+mod layout;
+mod sharing;
+
+use crate::{Scene, SceneFormat};
+
+impl Scene {
+    /// The scene as text that reads back to the same numbers, bit by bit.
+    ///
+    /// Keys stand in the order of the format. Image size, camera and depth are always
+    /// written, other keys only where they differ from their defaults. A material that
+    /// several bodies share is written once, under the name m0, m1, ...; one that only one
+    /// body has stands inline. Names that a file gave its materials, and materials that
+    /// nothing uses, are not part of a scene.
+    #[must_use]
+    pub fn to_text(&self, format: SceneFormat) -> String {
+        let sections = entries::sections(self);
+        match format {
+            SceneFormat::Toml => layout::toml(&sections),
+            SceneFormat::Json => layout::json(&sections),
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! One key that is wrong.
+
+use super::{KeyPath, Trail};
+
+/// What a message about a key points at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    /// What the key holds.
+    Value,
+    /// The key itself: it should not be there.
+    Key,
+}
+
+/// A key that is wrong: where, what was found, what is allowed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{path}: found {found}; allowed: {allowed}")]
+pub(crate) struct Fault {
+    pub(crate) path: KeyPath,
+    /// For a value that is out of range exactly the value, as `number` writes numbers.
+    pub(crate) found: String,
+    pub(crate) allowed: String,
+    pub(crate) target: Target,
+}
+
+impl Fault {
+    /// A key whose value is wrong or missing.
+    pub(crate) fn new(trail: Trail<'_>, found: String, allowed: impl Into<String>) -> Self {
+        Self { path: trail.into(), found, allowed: allowed.into(), target: Target::Value }
+    }
+
+    /// A key that should not be there.
+    pub(crate) fn key(trail: Trail<'_>, found: String, allowed: impl Into<String>) -> Self {
+        Self { target: Target::Key, ..Self::new(trail, found, allowed) }
+    }
+}
+
+/// A number as messages and files write it: shortest text that reads back to the same bits
+/// (as a float), with an exponent where that is shorter to read. Legal in TOML and, where
+/// finite, in JSON.
+pub(crate) fn number(x: f64) -> String {
+    let size = x.abs();
+    if x == 0.0 {
+        // Without the fraction a reader takes -0 for the integer 0.
+        if x.is_sign_negative() { "-0.0".to_owned() } else { "0".to_owned() }
+    } else if x.is_nan() {
+        "nan".to_owned()
+    } else if (1e-5..1e16).contains(&size) {
+        format!("{x}")
+    } else {
+        format!("{x:e}")
+    }
+}

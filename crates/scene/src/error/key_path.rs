@@ -1,0 +1,85 @@
+//! Paths of keys: `spheres[2].radius`, indices from 0.
+
+use std::fmt;
+
+/// One step of a path.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Segment {
+    /// Into a table.
+    Key(String),
+    /// Into an array.
+    Index(usize),
+}
+
+/// The path of a key from the top of the scene; empty for the top itself.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct KeyPath(pub(crate) Vec<Segment>);
+
+/// A path that is being walked, linked from leaf to root on the stack, so that walking a
+/// scene without faults allocates nothing for it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Trail<'a> {
+    Root,
+    Key(&'a Trail<'a>, &'a str),
+    Index(&'a Trail<'a>, usize),
+}
+
+impl Trail<'_> {
+    /// This path, and below it that key.
+    pub(crate) fn key<'a>(&'a self, key: &'a str) -> Trail<'a> {
+        Trail::Key(self, key)
+    }
+
+    /// This path, and in it that entry.
+    pub(crate) fn index(&self, index: usize) -> Trail<'_> {
+        Trail::Index(self, index)
+    }
+}
+
+impl From<Trail<'_>> for KeyPath {
+    fn from(trail: Trail<'_>) -> Self {
+        let mut segments = Vec::new();
+        let mut rest = &trail;
+        loop {
+            match rest {
+                Trail::Root => break,
+                Trail::Key(parent, key) => {
+                    segments.push(Segment::Key((*key).to_owned()));
+                    rest = parent;
+                }
+                Trail::Index(parent, index) => {
+                    segments.push(Segment::Index(*index));
+                    rest = parent;
+                }
+            }
+        }
+        segments.reverse();
+        Self(segments)
+    }
+}
+
+impl fmt::Display for KeyPath {
+    /// Keys that TOML would not take bare are quoted, control characters escaped.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.is_empty() {
+            return f.write_str("top level");
+        }
+        for (depth, segment) in self.0.iter().enumerate() {
+            match segment {
+                Segment::Index(index) => write!(f, "[{index}]")?,
+                Segment::Key(key) => {
+                    if depth > 0 {
+                        f.write_str(".")?;
+                    }
+                    let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+                    if !key.is_empty() && key.chars().all(bare) {
+                        f.write_str(key)?;
+                    } else {
+                        write!(f, "{key:?}")?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,50 @@
+//! Which known word was probably meant, and how known words are listed.
+
+/// The known word nearest to `word`, if it is near: at most a third of its letters differ.
+pub(super) fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let limit = word.chars().count().div_ceil(3);
+    let near = known.map(|candidate| (distance(word, candidate, limit), candidate));
+    near.filter(|(distance, _)| *distance <= limit)
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, word)| word)
+}
+
+/// Letters to insert, delete or exchange to make one word the other (Levenshtein), row by
+/// row; words whose lengths alone differ by more than the limit are not compared.
+fn distance(a: &str, b: &str, limit: usize) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let a_len = a.chars().count();
+    if a_len.abs_diff(b.len()) > limit {
+        return usize::MAX;
+    }
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, letter) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, &other) in b.iter().enumerate() {
+            let exchange = diagonal + usize::from(letter != other);
+            diagonal = row[j + 1];
+            row[j + 1] = exchange.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+/// The known words, the first twenty of them, and the one that was probably meant.
+pub(super) fn list<'a>(
+    word: &str,
+    known: impl ExactSizeIterator<Item = &'a str> + Clone,
+) -> String {
+    const SHOWN: usize = 20;
+    // Names are the user's own and may hold control characters.
+    let shown: Vec<String> =
+        known.clone().take(SHOWN).map(|word| word.escape_debug().to_string()).collect();
+    let mut text = shown.join(", ");
+    if known.len() > SHOWN {
+        text += &format!(" and {} more", known.len() - SHOWN);
+    }
+    if let Some(meant) = nearest(word, known) {
+        text += &format!(" (did you mean {}?)", meant.escape_debug());
+    }
+    text
+}

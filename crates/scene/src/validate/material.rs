@@ -1,0 +1,65 @@
+//! Materials: their factors, and that the light they send back stays within f32.
+
+use super::allowed::{AMOUNT, MIRROR};
+use super::{list, one, triple};
+use crate::error::{Fault, Trail, number};
+use crate::{Draft, Material};
+
+/// The light of a scene, as the brightest point of a material can meet it: per channel,
+/// the ambient light and all lights together, each straight above and all visible.
+pub(super) struct Brightest {
+    ambient: [f64; 3],
+    lights: [f64; 3],
+}
+
+/// The most that one hit may send back per channel. A third of the largest f32, so that
+/// the roundings of a sum over ten million lights stay within it too.
+const MOST: f64 = 1e38;
+
+impl Brightest {
+    /// Of a scene whose lights and ambient have been found in their ranges.
+    pub(super) fn of(draft: &Draft) -> Self {
+        let mut lights = [0.0; 3];
+        for light in &draft.lights {
+            for (sum, intensity) in lights.iter_mut().zip(light.intensity) {
+                *sum += intensity;
+            }
+        }
+        Self { ambient: draft.render.ambient, lights }
+    }
+}
+
+pub(super) fn material(
+    trail: Trail<'_>,
+    material: &Material,
+    brightest: &Brightest,
+) -> Result<(), Fault> {
+    let &Material { color, diffuse, specular, shininess, reflect } = material;
+    triple(trail.key("color"), color, &AMOUNT)?;
+    one(trail.key("diffuse"), diffuse, &AMOUNT)?;
+    one(trail.key("specular"), specular, &AMOUNT)?;
+    one(trail.key("shininess"), shininess, &AMOUNT)?;
+    match reflect {
+        Some(reflect) => one(trail.key("reflect"), reflect, &MIRROR)?,
+        None if MIRROR.holds(specular) => {}
+        None => {
+            let allowed = "a number from 0 to 1, or more where `reflect` is stated too (without it, `specular` is also the mirror's factor)";
+            return Err(Fault::new(trail.key("specular"), number(specular), allowed));
+        }
+    }
+    for channel in 0..3 {
+        let colour = color[channel];
+        let factor = diffuse * colour + specular;
+        let back = brightest.ambient[channel] * colour + brightest.lights[channel] * factor;
+        // The factor is formed before a light multiplies it, which may be a weak one.
+        if factor > MOST || back > MOST {
+            let allowed = format!(
+                "a material that sends back at most 1e38, so that f32 does not overflow; in channel {channel} diffuse·color + specular is {}, and ambient·color + (all intensities)·(diffuse·color + specular) is {}",
+                number(factor),
+                number(back)
+            );
+            return Err(Fault::new(trail.key("color"), list(color), allowed));
+        }
+    }
+    Ok(())
+}

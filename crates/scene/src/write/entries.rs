@@ -1,0 +1,135 @@
+//! Which keys are written, and their values' spelling, which TOML and JSON share.
+
+use super::sharing::Sharing;
+use crate::error::number;
+use crate::{Camera, Draft, Image, Light, Material, Numerics, Render, Transfer};
+
+/// Keys and values of one table.
+pub(super) type Entries = Vec<(&'static str, String)>;
+
+/// One key of the top level.
+pub(super) enum Section {
+    Table(&'static str, Entries),
+    /// Tables by their own names.
+    Named(&'static str, Vec<(String, Entries)>),
+    Array(&'static str, Vec<Entries>),
+}
+
+/// A draft's sections in the order of the format, without empty ones. Its numbers are
+/// finite: JSON has no others.
+pub(super) fn sections(draft: &Draft) -> Vec<Section> {
+    let sharing = Sharing::of(draft);
+    let body = |own: [(&'static str, String); 2], made: &Material| {
+        let mut entries = Entries::from(own);
+        match sharing.name(made) {
+            Some(name) => entries.push(("material", format!("{name:?}"))),
+            None => entries.extend(material(made)),
+        }
+        entries
+    };
+    let named = sharing.shared().map(|(name, shared)| (name, material(shared))).collect();
+    let spheres = draft.spheres.iter().map(|sphere| {
+        let own = [("center", triple(sphere.center)), ("radius", number(sphere.radius))];
+        body(own, &sphere.material)
+    });
+    let planes = draft.planes.iter().map(|plane| {
+        let own = [("point", triple(plane.point)), ("normal", triple(plane.normal))];
+        body(own, &plane.material)
+    });
+    let mut sections = vec![
+        Section::Table("image", image(&draft.image)),
+        Section::Table("camera", camera(&draft.camera)),
+        Section::Table("render", render(&draft.render)),
+        Section::Array("lights", draft.lights.iter().map(light).collect()),
+        Section::Named("materials", named),
+        Section::Array("spheres", spheres.collect()),
+        Section::Array("planes", planes.collect()),
+    ];
+    sections.retain(|section| match section {
+        Section::Table(..) => true,
+        Section::Named(_, tables) => !tables.is_empty(),
+        Section::Array(_, tables) => !tables.is_empty(),
+    });
+    sections
+}
+
+fn image(image: &Image) -> Entries {
+    let mut entries =
+        vec![("width", image.width.to_string()), ("height", image.height.to_string())];
+    match image.transfer {
+        Transfer::Linear => {}
+        Transfer::Srgb => entries.push(("transfer", "\"srgb\"".to_owned())),
+    }
+    entries
+}
+
+fn camera(camera: &Camera) -> Entries {
+    vec![
+        ("position", triple(camera.position)),
+        ("look_at", triple(camera.look_at)),
+        ("up", triple(camera.up)),
+        ("fov", number(camera.fov)),
+    ]
+}
+
+fn render(render: &Render) -> Entries {
+    let default = Render::default();
+    let mut entries = vec![("max_depth", render.max_depth.to_string())];
+    if differs(render.min_weight, default.min_weight) {
+        entries.push(("min_weight", number(render.min_weight)));
+    }
+    if differs3(render.background, default.background) {
+        entries.push(("background", triple(render.background)));
+    }
+    if differs3(render.ambient, default.ambient) {
+        entries.push(("ambient", amount(render.ambient)));
+    }
+    match render.numerics {
+        Numerics::Robust => {}
+        Numerics::Textbook => entries.push(("numerics", "\"textbook\"".to_owned())),
+    }
+    entries
+}
+
+fn light(light: &Light) -> Entries {
+    let mut entries = vec![("position", triple(light.position))];
+    if differs3(light.intensity, [1.0; 3]) {
+        entries.push(("intensity", amount(light.intensity)));
+    }
+    entries
+}
+
+fn material(material: &Material) -> Entries {
+    let default = Material::matt(material.color);
+    let mut entries = vec![("color", triple(material.color))];
+    let factors = [
+        ("diffuse", material.diffuse, default.diffuse),
+        ("specular", material.specular, default.specular),
+        ("shininess", material.shininess, default.shininess),
+    ];
+    for (key, value, default) in factors {
+        if differs(value, default) {
+            entries.push((key, number(value)));
+        }
+    }
+    entries.extend(material.reflect.map(|reflect| ("reflect", number(reflect))));
+    entries
+}
+
+/// As bits: -0 is not 0 here.
+fn differs(a: f64, b: f64) -> bool {
+    a.to_bits() != b.to_bits()
+}
+
+fn differs3(a: [f64; 3], b: [f64; 3]) -> bool {
+    a.map(f64::to_bits) != b.map(f64::to_bits)
+}
+
+fn triple(v: [f64; 3]) -> String {
+    format!("[{}]", v.map(number).join(", "))
+}
+
+/// One number where it stands for all three.
+fn amount(v: [f64; 3]) -> String {
+    if differs3(v, [v[0]; 3]) { triple(v) } else { number(v[0]) }
+}

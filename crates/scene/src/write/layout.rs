@@ -1,0 +1,60 @@
+//! The two layouts of the same entries.
+
+use super::entries::{Entries, Section};
+
+/// A line for each key, a blank line between tables.
+pub(super) fn toml(sections: &[Section]) -> String {
+    let mut text = String::new();
+    let mut table = |header: String, entries: &Entries| {
+        if !text.is_empty() {
+            text.push('\n');
+        }
+        text += &header;
+        text.push('\n');
+        for (key, value) in entries {
+            text.extend([*key, " = ", value.as_str(), "\n"]);
+        }
+    };
+    for section in sections {
+        match section {
+            Section::Table(name, entries) => table(format!("[{name}]"), entries),
+            Section::Named(parent, tables) => {
+                for (name, entries) in tables {
+                    table(format!("[{parent}.{name}]"), entries);
+                }
+            }
+            Section::Array(name, tables) => {
+                for entries in tables {
+                    table(format!("[[{name}]]"), entries);
+                }
+            }
+        }
+    }
+    text
+}
+
+/// A line for each table.
+pub(super) fn json(sections: &[Section]) -> String {
+    let sections = sections.iter().map(|section| match section {
+        Section::Table(name, entries) => format!("  \"{name}\": {}", object(entries)),
+        Section::Named(parent, tables) => {
+            let line =
+                |(name, entries): &(String, _)| format!("    \"{name}\": {}", object(entries));
+            format!("  \"{parent}\": {{\n{}\n  }}", separated(tables.iter().map(line), ",\n"))
+        }
+        Section::Array(name, tables) => {
+            let line = |entries| format!("    {}", object(entries));
+            format!("  \"{name}\": [\n{}\n  ]", separated(tables.iter().map(line), ",\n"))
+        }
+    });
+    format!("{{\n{}\n}}\n", separated(sections, ",\n"))
+}
+
+fn object(entries: &Entries) -> String {
+    let pairs = entries.iter().map(|(key, value)| format!("\"{key}\": {value}"));
+    format!("{{{}}}", separated(pairs, ", "))
+}
+
+fn separated(parts: impl Iterator<Item = String>, separator: &str) -> String {
+    parts.collect::<Vec<_>>().join(separator)
+}
