@@ -1,1 +1,6 @@
-//! Stub.
+//! What the tests that cross crates share: how two pictures are compared, and scenes to
+//! compare them on.
+
+pub mod generate;
+pub mod identity;
+pub mod scenes;

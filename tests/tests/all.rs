@@ -1,1 +1,6 @@
+//! The tests that cross crates.
 
+mod deep;
+mod identity;
+mod kernel;
+mod planted;

@@ -1,8 +1,14 @@
-//! Rendering a view.
+//! Rendering a view: bands of rows on rayon's threads.
+
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use catoptric_scene::{Compiled, Counts, Film, Grid};
+use rayon::prelude::*;
 
 use crate::Isa;
+use crate::band::{Band, ROWS};
+use crate::lanes;
+use crate::stack::{Budget, Stack};
 
 /// How to render; none of it changes a bit of the picture.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +29,10 @@ pub struct StackFull {
 
 /// Renders a view into a film of its size, on rayon's current threads.
 ///
+/// `progress` is told after every few rows how many pixels were added. Memory: the film, and
+/// a stack a thread of 152 bytes a level of the deepest path so far, rounded up to a power of
+/// two levels.
+///
 /// # Errors
 /// [`StackFull`] if paths go too deep for the limit; the film is then void.
 ///
@@ -35,6 +45,31 @@ pub fn render(
     settings: Settings,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Counts, StackFull> {
-    let _ = (scene, grid, film, settings, progress);
-    Ok(Counts::default())
+    assert_eq!((film.width(), film.height()), (grid.width, grid.height), "the film's size");
+    let budget = Budget::new(settings.stack_limit);
+    let full = AtomicBool::new(false);
+    let counts = film
+        .pixels_mut()
+        .par_chunks_mut(grid.width as usize * ROWS)
+        .zip(grid.rows.par_chunks(grid.samples as usize * ROWS))
+        .map_init(
+            || Stack::new(&budget),
+            |stack, (pixels, rows)| {
+                if full.load(Ordering::Relaxed) {
+                    return Counts::default();
+                }
+                let done = pixels.len() as u64;
+                let band = Band { scene, grid, rows, pixels, stack };
+                if lanes::run(settings.isa, band).is_err() {
+                    full.store(true, Ordering::Relaxed);
+                }
+                progress(done);
+                stack.take_counts()
+            },
+        )
+        .reduce(Counts::default, |mut sum, band| {
+            sum.add(&band);
+            sum
+        });
+    if full.into_inner() { Err(StackFull { limit: settings.stack_limit }) } else { Ok(counts) }
 }

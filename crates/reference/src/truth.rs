@@ -14,8 +14,9 @@
 //! ```
 //!
 //! Accuracy: a hit at distance t of a sphere of radius r costs about |o - c|²·e / sqrt(disc)
-//! with e = 1e-16 in f64 and 5e-32 in double-double. On the workshop scene f64 is within
-//! 1e-11 of double-double; on spheres of 1e8 and more, and in closed mirror rooms, only
+//! with e = 1e-16 in f64 and 5e-32 in double-double, and each mirror amplifies what it is
+//! given. On the workshop scene to depth 32 f64 is within 1.4e-12 of double-double, 3.7e-11
+//! with a mirroring ground; on spheres of 1e8 and more, and in closed mirror rooms, only
 //! double-double is truth.
 //!
 //! The precision is a value and not a type parameter, so that both instances are compiled
@@ -43,14 +44,17 @@ use real::Real;
 /// a path that needs more fails.
 pub const DEPTH_ALLOWED: u32 = 100_000;
 
-/// Stack bytes that one reflection takes at most, in any build of this crate.
-pub const STACK_PER_LEVEL: usize = 1024;
+/// Stack bytes that one reflection takes at most. Measured on x86-64 in double-double: 496
+/// in release, 544 in this workspace's dev profile, 1184 without any optimisation; in f64
+/// 320, 304 and 752.
+pub const STACK_PER_LEVEL: usize = 1536;
 
 /// Stack bytes with which a thread can follow [`DEPTH_ALLOWED`] reflections.
 ///
 /// Truth recurses on the thread that calls it, and [`Truth::render`] on the threads of
-/// rayon's current pool. An ordinary thread of 2 MiB is good for about 1 900 levels; a
-/// caller that lets paths go deeper starts its threads with this much.
+/// rayon's current pool. An ordinary thread of 2 MiB is good for about 1 300 levels; a
+/// caller that lets paths go deeper starts its threads with this much. Only the pages that
+/// a path reaches are taken.
 pub const STACK_BYTES: usize = DEPTH_ALLOWED as usize * STACK_PER_LEVEL + (1 << 20);
 
 /// The arithmetic of truth.
@@ -187,10 +191,7 @@ impl<T: Real> Model<T> {
             let pixels = (0..width).map(pixel).collect::<Result<Vec<_>, _>>()?;
             Ok((pixels, counts))
         };
-        let rows = (0..height)
-            .into_par_iter()
-            .map(row)
-            .collect::<Result<Vec<_>, _>>()?;
+        let rows = (0..height).into_par_iter().map(row).collect::<Result<Vec<_>, _>>()?;
 
         let mut counts = Counts::default();
         let mut pixels = Vec::with_capacity(width as usize * height as usize);
@@ -198,12 +199,7 @@ impl<T: Real> Model<T> {
             pixels.extend_from_slice(row);
             counts.add(part);
         }
-        Ok(TruthFilm {
-            width,
-            height,
-            pixels,
-            counts,
-        })
+        Ok(TruthFilm { width, height, pixels, counts })
     }
 
     fn pixel(
@@ -231,10 +227,7 @@ impl<T: Real> Model<T> {
         for depth in 0.. {
             let Some(hit) = self.nearest(&ray) else { break };
             let primitive = self.primitives[hit.index].id;
-            vertices.push(Vertex {
-                primitive,
-                point: hit.point.to_f64(),
-            });
+            vertices.push(Vertex { primitive, point: hit.point.to_f64() });
             let Some(next) = self.reflected(&ray, &hit, depth, weight) else {
                 break;
             };
@@ -245,10 +238,6 @@ impl<T: Real> Model<T> {
 
     fn eye_ray(&self, view: &View, at: Sample, nudge: [f64; 3]) -> Ray<T> {
         let direction = self.eye.direction(view, at, nudge);
-        Ray {
-            origin: self.eye.position,
-            direction,
-            leaves: None,
-        }
+        Ray { origin: self.eye.position, direction, leaves: None }
     }
 }

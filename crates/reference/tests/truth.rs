@@ -4,5 +4,7 @@ mod agreement;
 mod cases;
 mod closed_forms;
 mod depth;
+mod distances;
 mod exact;
+mod lights;
 mod scenes;

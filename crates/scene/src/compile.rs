@@ -126,6 +126,11 @@ fn from_eye(scene: &Draft, point: [f64; 3]) -> [DoubleDouble; 3] {
     std::array::from_fn(|i| DoubleDouble::difference(point[i], eye[i]))
 }
 
+/// The unit vector of a direction of a valid scene.
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    crate::direction::unit(v).expect("a valid scene's directions are not zero")
+}
+
 /// The one rounding from f64.
 #[expect(clippy::cast_possible_truncation, reason = "this is the rounding")]
 fn rounded(x: f64) -> f32 {

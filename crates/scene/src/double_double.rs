@@ -64,7 +64,7 @@ impl DoubleDouble {
     }
 
     /// The number nearest to this one in f32. Rounded once: where the high part lies on
-    /// the middle between two f32, the low part decides.
+    /// the middle between two f32, the low part decides. For numbers in f32's range.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, reason = "this is the rounding")]
     pub fn to_f32(self) -> f32 {

@@ -5,6 +5,7 @@
 
 mod compile;
 mod counts;
+mod direction;
 mod double_double;
 mod draft;
 mod error;

@@ -5,7 +5,6 @@
 
 pub(crate) mod allowed;
 mod camera;
-pub(crate) mod direction;
 mod material;
 
 use crate::error::{Fault, Trail, number};
@@ -69,7 +68,7 @@ fn validate_bodies(draft: &Draft) -> Result<(), Fault> {
         let trail = planes.index(index);
         triple(trail.key("point"), plane.point, &COORDINATE)?;
         triple(trail.key("normal"), plane.normal, &COMPONENT)?;
-        if direction::unit(plane.normal).is_none() {
+        if crate::direction::unit(plane.normal).is_none() {
             let found = list(plane.normal);
             return Err(Fault::new(trail.key("normal"), found, "a direction that is not zero"));
         }

@@ -38,11 +38,7 @@ impl<T: Real> Model<T> {
         }
         nearest.map(|(index, t)| {
             let point = ray.origin + ray.direction * t;
-            Hit {
-                index,
-                point,
-                normal: self.primitives[index].shape.normal(point),
-            }
+            Hit { index, point, normal: self.primitives[index].shape.normal(point) }
         })
     }
 
@@ -65,23 +61,15 @@ impl<T: Real> Model<T> {
     ) -> bool {
         let zero = T::from(0.0);
         light.sides.contains(&Ordering::Less)
-            || self
-                .primitives
-                .iter()
-                .enumerate()
-                .any(|(index, primitive)| match primitive.shape {
-                    Shape::Sphere {
-                        center,
-                        radius,
-                        around: false,
-                    } if index != own => {
-                        let f = point - center;
-                        let foot = -f.dot(direction);
-                        let discriminant = foot * foot - (f.dot(f) - radius * radius);
-                        zero < foot && foot < distance && discriminant >= zero
-                    }
-                    _ => false,
-                })
+            || self.primitives.iter().enumerate().any(|(index, primitive)| match primitive.shape {
+                Shape::Sphere { center, radius, around: false } if index != own => {
+                    let f = point - center;
+                    let foot = -f.dot(direction);
+                    let discriminant = foot * foot - (f.dot(f) - radius * radius);
+                    zero < foot && foot < distance && discriminant >= zero
+                }
+                _ => false,
+            })
     }
 }
 
@@ -97,11 +85,7 @@ impl<T: Real> Shape<T> {
     fn distance(&self, ray: &Ray<T>, left: bool) -> Option<T> {
         let zero = T::from(0.0);
         let t = match *self {
-            Self::Sphere {
-                center,
-                radius,
-                around,
-            } => {
+            Self::Sphere { center, radius, around } => {
                 let f = ray.origin - center;
                 let b = f.dot(ray.direction);
                 if left {
@@ -130,16 +114,8 @@ impl<T: Real> Shape<T> {
     /// The unit normal at a point of the surface, on the eye's side.
     fn normal(&self, at: Vector<T>) -> Vector<T> {
         match *self {
-            Self::Sphere {
-                center,
-                around: true,
-                ..
-            } => (center - at).unit(),
-            Self::Sphere {
-                center,
-                around: false,
-                ..
-            } => (at - center).unit(),
+            Self::Sphere { center, around: true, .. } => (center - at).unit(),
+            Self::Sphere { center, around: false, .. } => (at - center).unit(),
             Self::Plane { normal, .. } => normal,
         }
     }

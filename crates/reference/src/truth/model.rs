@@ -34,11 +34,7 @@ pub(super) struct Primitive<T> {
 
 pub(super) enum Shape<T> {
     /// `around`: the eye is strictly inside.
-    Sphere {
-        center: Vector<T>,
-        radius: T,
-        around: bool,
-    },
+    Sphere { center: Vector<T>, radius: T, around: bool },
     /// `normal`: of length 1, on the eye's side (on the stated side if the eye is on it).
     Plane { point: Vector<T>, normal: Vector<T> },
 }
@@ -68,18 +64,12 @@ impl<T: Real> Model<T> {
         let light = |light: &scene::Light| Light {
             position: Vector::from(light.position),
             intensity: light.intensity.map(T::from),
-            sides: stated
-                .iter()
-                .map(|(_, s)| s.side(light.position, eye))
-                .collect(),
+            sides: stated.iter().map(|(_, s)| s.side(light.position, eye)).collect(),
         };
         Self {
             eye: Eye::new(&scene.camera, scene.image),
             lights: scene.lights.iter().map(light).collect(),
-            primitives: stated
-                .iter()
-                .map(|&(id, s)| s.primitive(id, scene))
-                .collect(),
+            primitives: stated.iter().map(|&(id, s)| s.primitive(id, scene)).collect(),
             background: scene.render.background.map(T::from),
             max_depth: scene.render.max_depth,
             min_weight: T::from(scene.render.min_weight),
@@ -130,10 +120,7 @@ impl Stated<'_> {
             }
             Self::Plane(p) => {
                 let normal = Vector::from(p.normal).tamed();
-                (
-                    normal.dot(at - Vector::from(p.point)),
-                    DoubleDouble::from(0.0),
-                )
+                (normal.dot(at - Vector::from(p.point)), DoubleDouble::from(0.0))
             }
         };
         value.partial_cmp(&zero_level).unwrap_or(Ordering::Equal)
@@ -147,11 +134,7 @@ impl Stated<'_> {
     /// `Greater` on the eye's side, `Equal` on the surface, `Less` beyond it.
     fn side(self, at: [f64; 3], eye: [f64; 3]) -> Ordering {
         let side = self.stated_side(at);
-        if self.turned(eye) {
-            side.reverse()
-        } else {
-            side
-        }
+        if self.turned(eye) { side.reverse() } else { side }
     }
 
     fn primitive<T: Real>(self, id: usize, scene: &Scene) -> Primitive<T> {
@@ -159,32 +142,15 @@ impl Stated<'_> {
         let (shape, material) = match self {
             Self::Sphere(s) => {
                 let (center, radius) = (Vector::from(s.center), T::from(s.radius));
-                (
-                    Shape::Sphere {
-                        center,
-                        radius,
-                        around: turned,
-                    },
-                    &s.material,
-                )
+                (Shape::Sphere { center, radius, around: turned }, &s.material)
             }
             Self::Plane(p) => {
                 let normal = Vector::from(p.normal).tamed().unit();
                 let normal = if turned { -normal } else { normal };
-                (
-                    Shape::Plane {
-                        point: Vector::from(p.point),
-                        normal,
-                    },
-                    &p.material,
-                )
+                (Shape::Plane { point: Vector::from(p.point), normal }, &p.material)
             }
         };
-        Primitive {
-            id,
-            shape,
-            surface: Surface::new(material, scene.render.ambient),
-        }
+        Primitive { id, shape, surface: Surface::new(material, scene.render.ambient) }
     }
 }
 

@@ -26,9 +26,6 @@ pub(super) trait Real:
     /// The nearest f64.
     fn to_f64(self) -> f64;
 
-    /// What `to_f64` leaves out, rounded to f64; 0 for f64 itself.
-    fn low(self) -> f64;
-
     /// This number, or 0 if it is negative.
     fn at_least_zero(self) -> Self {
         let zero = Self::from(0.0);
@@ -44,10 +41,6 @@ impl Real for f64 {
     fn to_f64(self) -> f64 {
         self
     }
-
-    fn low(self) -> f64 {
-        0.0
-    }
 }
 
 impl Real for DoubleDouble {
@@ -57,9 +50,5 @@ impl Real for DoubleDouble {
 
     fn to_f64(self) -> f64 {
         DoubleDouble::to_f64(self)
-    }
-
-    fn low(self) -> f64 {
-        DoubleDouble::low(self)
     }
 }

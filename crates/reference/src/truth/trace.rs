@@ -22,9 +22,7 @@ impl<T: Real> Model<T> {
         counts: &mut Counts,
     ) -> Result<[T; 3], TooDeep> {
         if depth > DEPTH_ALLOWED {
-            return Err(TooDeep {
-                allowed: DEPTH_ALLOWED,
-            });
+            return Err(TooDeep { allowed: DEPTH_ALLOWED });
         }
         let count = counts.at(depth);
         count.rays += 1;
@@ -104,13 +102,6 @@ impl<T: Real> Model<T> {
         let (d, n) = (ray.direction, hit.normal);
         let along = d.dot(n);
         let direction = (d - n * (along + along)).unit();
-        Some((
-            Ray {
-                origin: hit.point,
-                direction,
-                leaves: Some(hit.index),
-            },
-            weight,
-        ))
+        Some((Ray { origin: hit.point, direction, leaves: Some(hit.index) }, weight))
     }
 }

@@ -34,11 +34,7 @@ impl<T: Real> Vector<T> {
     pub(super) fn unit(self) -> Self {
         let length = self.length();
         if length > T::from(0.0) {
-            Self {
-                x: self.x / length,
-                y: self.y / length,
-                z: self.z / length,
-            }
+            Self { x: self.x / length, y: self.y / length, z: self.z / length }
         } else {
             self
         }
@@ -67,11 +63,7 @@ impl<T: Real> Vector<T> {
 
 impl<T: Real> From<[f64; 3]> for Vector<T> {
     fn from([x, y, z]: [f64; 3]) -> Self {
-        Self {
-            x: T::from(x),
-            y: T::from(y),
-            z: T::from(z),
-        }
+        Self { x: T::from(x), y: T::from(y), z: T::from(z) }
     }
 }
 
@@ -79,11 +71,7 @@ impl<T: Real> Add for Vector<T> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self {
-            x: self.x + other.x,
-            y: self.y + other.y,
-            z: self.z + other.z,
-        }
+        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
     }
 }
 
@@ -91,11 +79,7 @@ impl<T: Real> Sub for Vector<T> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        Self {
-            x: self.x - other.x,
-            y: self.y - other.y,
-            z: self.z - other.z,
-        }
+        Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
     }
 }
 
@@ -103,11 +87,7 @@ impl<T: Real> Neg for Vector<T> {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self {
-            x: -self.x,
-            y: -self.y,
-            z: -self.z,
-        }
+        Self { x: -self.x, y: -self.y, z: -self.z }
     }
 }
 
@@ -115,10 +95,6 @@ impl<T: Real> Mul<T> for Vector<T> {
     type Output = Self;
 
     fn mul(self, factor: T) -> Self {
-        Self {
-            x: self.x * factor,
-            y: self.y * factor,
-            z: self.z * factor,
-        }
+        Self { x: self.x * factor, y: self.y * factor, z: self.z * factor }
     }
 }

@@ -8,19 +8,13 @@ pub(crate) const BOTH: [Precision; 2] = [Precision::F64, Precision::DoubleDouble
 
 pub(crate) fn render(draft: &Draft, precision: Precision) -> TruthFilm {
     let scene = Scene::new(draft.clone()).expect("a valid scene");
-    Truth::new(&scene, precision)
-        .render(&View::whole(&scene))
-        .expect("within the depth allowed")
+    Truth::new(&scene, precision).render(&View::whole(&scene)).expect("within the depth allowed")
 }
 
 /// The one pixel of a 1 x 1 picture: what is seen straight ahead.
 pub(crate) fn ahead(draft: &Draft, precision: Precision) -> [f64; 3] {
     let mut draft = draft.clone();
-    draft.image = Image {
-        width: 1,
-        height: 1,
-        ..draft.image
-    };
+    draft.image = Image { width: 1, height: 1, ..draft.image };
     render(&draft, precision).pixels[0]
 }
 
@@ -28,10 +22,7 @@ pub(crate) fn ahead(draft: &Draft, precision: Precision) -> [f64; 3] {
 #[track_caller]
 pub(crate) fn assert_near(found: [f64; 3], expected: [f64; 3], relative: f64) {
     for (f, e) in found.iter().zip(expected) {
-        assert!(
-            (f - e).abs() <= relative * e.abs(),
-            "found {found:?}, expected {expected:?}"
-        );
+        assert!((f - e).abs() <= relative * e.abs(), "found {found:?}, expected {expected:?}");
     }
 }
 
@@ -43,17 +34,37 @@ pub(crate) fn largest_difference(a: &TruthFilm, b: &TruthFilm) -> f64 {
 }
 
 pub(crate) fn white_light(position: [f64; 3]) -> Light {
-    Light {
-        position,
-        intensity: [1.0; 3],
-    }
+    Light { position, intensity: [1.0; 3] }
 }
 
 pub(crate) fn mirror(k: f64) -> Material {
-    Material {
-        reflect: Some(k),
-        ..Material::matt([1.0; 3])
-    }
+    Material { reflect: Some(k), ..Material::matt([1.0; 3]) }
+}
+
+pub(crate) const RED: [f64; 3] = [1.0, 0.0, 0.0];
+pub(crate) const GREEN: [f64; 3] = [0.0, 1.0, 0.0];
+pub(crate) const DARK: [f64; 3] = [0.0; 3];
+
+pub(crate) fn ball(center: [f64; 3], radius: f64, color: [f64; 3]) -> Sphere {
+    Sphere { center, radius, material: Material::matt(color) }
+}
+
+pub(crate) fn plane(point: [f64; 3], normal: [f64; 3], color: [f64; 3]) -> Plane {
+    Plane { point, normal, material: Material::matt(color) }
+}
+
+/// Ambient 1, so that a primitive shows its colour; looking along -z from the origin.
+pub(crate) fn draft() -> Draft {
+    let mut draft = Draft::default();
+    draft.render.ambient = [1.0; 3];
+    draft
+}
+
+/// Ambient 0, so that only lights show.
+pub(crate) fn night(light: [f64; 3]) -> Draft {
+    let mut draft = Draft { lights: vec![white_light(light)], ..Draft::default() };
+    draft.render.ambient = DARK;
+    draft
 }
 
 /// The workshop's five spheres, 30 degrees, a white light at (0, 20, 0); the ground's
@@ -62,20 +73,10 @@ pub(crate) fn workshop(width: u32, height: u32, max_depth: u32, ground: f64) -> 
     let sphere = |center, radius, color, shininess, specular, diffuse| Sphere {
         center,
         radius,
-        material: Material {
-            color,
-            diffuse,
-            specular,
-            shininess,
-            reflect: None,
-        },
+        material: Material { color, diffuse, specular, shininess, reflect: None },
     };
     let mut draft = Draft {
-        image: Image {
-            width,
-            height,
-            ..Image::default()
-        },
+        image: Image { width, height, ..Image::default() },
         lights: vec![white_light([0.0, 20.0, 0.0])],
         spheres: vec![
             sphere([0.0, -10004.0, -20.0], 10000.0, [0.4; 3], 0.0, 0.0, 1.0),
@@ -94,32 +95,17 @@ pub(crate) fn workshop(width: u32, height: u32, max_depth: u32, ground: f64) -> 
 /// Three mirror spheres of radius 1 at the corners of a triangle of side 6: paths between
 /// them amplify an error about twelvefold at each bounce.
 pub(crate) fn scatterer(width: u32, height: u32) -> Draft {
-    let at = |center| Sphere {
-        center,
-        radius: 1.0,
-        material: mirror(0.9),
-    };
+    let at = |center| Sphere { center, radius: 1.0, material: mirror(0.9) };
     let mut draft = Draft {
-        image: Image {
-            width,
-            height,
-            ..Image::default()
-        },
+        image: Image { width, height, ..Image::default() },
         camera: Camera {
             position: [0.1, -0.2, 0.3],
             look_at: [0.3, 3.1, 0.05],
             up: [0.0, 0.0, 1.0],
             fov: 40.0,
         },
-        lights: vec![
-            white_light([3.0, 2.0, 9.0]),
-            white_light([-20.0, 1.0, -3.0]),
-        ],
-        spheres: vec![
-            at([0.0, 3.46, 0.0]),
-            at([-3.0, -1.73, 0.0]),
-            at([3.0, -1.73, 0.0]),
-        ],
+        lights: vec![white_light([3.0, 2.0, 9.0]), white_light([-20.0, 1.0, -3.0])],
+        spheres: vec![at([0.0, 3.46, 0.0]), at([-3.0, -1.73, 0.0]), at([3.0, -1.73, 0.0])],
         ..Draft::default()
     };
     draft.render.max_depth = 40;
@@ -143,11 +129,7 @@ pub(crate) fn closed_room(width: u32, height: u32, max_depth: u32) -> Draft {
         },
     };
     let mut draft = Draft {
-        image: Image {
-            width,
-            height,
-            ..Image::default()
-        },
+        image: Image { width, height, ..Image::default() },
         camera: Camera {
             position: [0.5, -0.3, 0.7],
             look_at: [-2.0, 1.0, -4.0],

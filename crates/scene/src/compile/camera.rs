@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
-use super::rounded3;
+use super::{rounded3, unit};
 use crate::Draft;
+use crate::direction::cross;
 
 /// The constants of the direction d = norm(forward + column·right + row·up).
 ///
@@ -44,16 +45,4 @@ fn power_of_two_above(x: f64) -> f64 {
         power *= 2.0;
     }
     power
-}
-
-/// The vector of length 1 in that direction; scaled first, so that nothing overflows.
-pub(super) fn unit(v: [f64; 3]) -> [f64; 3] {
-    let largest = v.iter().fold(0.0, |m: f64, x| if x.abs() > m { x.abs() } else { m });
-    let v = v.map(|x| x / largest);
-    let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
-    v.map(|x| x / length)
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

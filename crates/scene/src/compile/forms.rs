@@ -7,8 +7,7 @@
 
 use glam::Vec3;
 
-use super::camera::unit;
-use super::{from_eye, rounded};
+use super::{from_eye, rounded, unit};
 use crate::{DoubleDouble, Draft, Numerics, Plane, Scene, Sphere};
 
 /// The form chosen for a primitive.

@@ -1,8 +1,8 @@
 //! The camera: that it sees a picture at all.
 
 use super::allowed::{COMPONENT, COORDINATE, FIELD_OF_VIEW};
-use super::direction::{parallel, unit};
 use super::{list, one, triple};
+use crate::direction::{parallel, unit};
 use crate::error::{Fault, Trail, number};
 use crate::{Camera, Image};
 

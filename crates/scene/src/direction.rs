@@ -22,9 +22,13 @@ pub(crate) fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
 /// product, whose length is the sine s of the angle, so the side vector made from it is
 /// off by an angle of 4e-16/s. From s = 1e-8 on that is at most 4e-8, less than f32
 /// tells apart; below, the picture would visibly turn with the rounding.
-pub(super) fn parallel(a: [f64; 3], b: [f64; 3]) -> bool {
-    let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    dot(cross, cross).sqrt() < 1e-8
+pub(crate) fn parallel(a: [f64; 3], b: [f64; 3]) -> bool {
+    let side = cross(a, b);
+    dot(side, side).sqrt() < 1e-8
+}
+
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

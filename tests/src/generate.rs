@@ -1,0 +1,192 @@
+//! Scenes by generation: touching, nested and coincident spheres, radii over nine decades,
+//! the eye inside and outside, on surfaces, lights anywhere, every kind of material.
+
+use catoptric_scene::{Draft, Light, Material, Numerics, Plane, Scene, Sphere};
+use proptest::collection::vec;
+use proptest::prelude::*;
+
+/// Where a sphere stands.
+#[derive(Clone, Debug)]
+enum Place {
+    /// Anywhere within some multiple of its radius.
+    Free([f64; 3]),
+    /// Touching an earlier sphere in that direction.
+    Touching(usize, [f64; 3]),
+    /// Inside an earlier sphere, touching it from within if the flag is set.
+    Within(usize, [f64; 3], bool),
+    /// The same centre and radius as an earlier sphere.
+    Coincident(usize),
+    /// Around the eye, the eye off its centre by that share of the radius.
+    Around([f64; 3], f64),
+    /// So that the eye is on its surface.
+    UnderTheEye([f64; 3]),
+}
+
+/// Any scene that the format allows, of 0 to `spheres` spheres and the given size range.
+pub fn scene(
+    spheres: usize,
+    size: impl Strategy<Value = (u32, u32)>,
+) -> impl Strategy<Value = Scene> {
+    let things = (
+        vec((place(), radius(), material()), 0..=spheres),
+        vec((vector(), vector(), material()), 0..=3),
+        vec((vector(), colour()), 0..=3),
+    );
+    let eye = (vector(), direction(), 1.0..120.0, any::<prop::sample::Index>());
+    let render = (depth(), min_weight(), colour(), colour(), numerics());
+    (size, things, eye, render).prop_map(build)
+}
+
+type Things =
+    (Vec<(Place, f64, Material)>, Vec<([f64; 3], [f64; 3], Material)>, Vec<([f64; 3], [f64; 3])>);
+type Eye = ([f64; 3], [f64; 3], f64, prop::sample::Index);
+type Render = (u32, f64, [f64; 3], [f64; 3], Numerics);
+
+fn build(((width, height), things, eye, render): ((u32, u32), Things, Eye, Render)) -> Scene {
+    let (spheres, planes, lights) = things;
+    let (position, aside, fov, target) = eye;
+    let mut draft = Draft::default();
+    draft.image.width = width;
+    draft.image.height = height;
+    (draft.render.max_depth, draft.render.min_weight, ..) = render;
+    (_, _, draft.render.background, draft.render.ambient, draft.render.numerics) = render;
+    for (place, radius, material) in spheres {
+        let sphere = place_sphere(&draft.spheres, position, &place, radius, material);
+        draft.spheres.push(sphere);
+    }
+    draft.planes = planes
+        .into_iter()
+        .map(|(point, normal, material)| Plane { point, normal, material })
+        .collect();
+    draft.lights =
+        lights.into_iter().map(|(position, intensity)| Light { position, intensity }).collect();
+    // Look at something, or the picture is background.
+    draft.camera.position = position;
+    draft.camera.fov = fov;
+    draft.camera.look_at = along(position, aside, 1.0);
+    if !draft.spheres.is_empty() {
+        let center = target.get(&draft.spheres).center;
+        if distance(center, position) > 1e-6 {
+            draft.camera.look_at = center;
+        }
+    }
+    let view: [f64; 3] = std::array::from_fn(|i| draft.camera.look_at[i] - position[i]);
+    // Any vector that is not along the view: the axis of its least component.
+    let least = (0..3).min_by(|&a, &b| view[a].abs().total_cmp(&view[b].abs()));
+    draft.camera.up = [0.0; 3];
+    draft.camera.up[least.expect("three components")] = 1.0;
+    Scene::new(draft).expect("generated scenes are valid")
+}
+
+fn place_sphere(
+    earlier: &[Sphere],
+    eye: [f64; 3],
+    place: &Place,
+    radius: f64,
+    material: Material,
+) -> Sphere {
+    let other = |i: usize| earlier.get(i % earlier.len().max(1)).copied();
+    let (center, radius) = match *place {
+        Place::Free(at) => (at.map(|x| x * (1.0 + radius)), radius),
+        Place::Touching(i, way) => match other(i) {
+            Some(o) => (along(o.center, way, o.radius + radius), radius),
+            None => (along(eye, way, 3.0 * radius), radius),
+        },
+        Place::Within(i, way, touching) => match other(i) {
+            Some(o) => {
+                let inner = o.radius * 0.4;
+                (along(o.center, way, if touching { o.radius - inner } else { inner }), inner)
+            }
+            None => (along(eye, way, 2.0 * radius), radius),
+        },
+        Place::Coincident(i) => match other(i) {
+            Some(o) => (o.center, o.radius),
+            None => (along(eye, [0.0, 0.0, -1.0], 4.0 * radius), radius),
+        },
+        Place::Around(way, share) => (along(eye, way, share * radius), radius),
+        Place::UnderTheEye(way) => (along(eye, way, radius), radius),
+    };
+    // Placed against a tiny sphere, a radius may leave the format's range.
+    let radius = if radius < 1e-9 { 1e-9 } else { radius };
+    Sphere { center, radius, material }
+}
+
+fn along(from: [f64; 3], way: [f64; 3], length: f64) -> [f64; 3] {
+    std::array::from_fn(|i| from[i] + way[i] * length)
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt()
+}
+
+fn vector() -> impl Strategy<Value = [f64; 3]> {
+    prop_oneof![
+        4 => prop::array::uniform3(-10.0..10.0),
+        1 => prop::array::uniform3(-1e4..1e4),
+        1 => prop::array::uniform3((-3i32..=3).prop_map(f64::from)),
+    ]
+    .prop_filter("not zero", |v| v.iter().any(|x| x.abs() > 1e-3))
+}
+
+fn direction() -> impl Strategy<Value = [f64; 3]> {
+    prop::array::uniform3(-1.0..1.0)
+        .prop_filter("not short", |v: &[f64; 3]| distance(*v, [0.0; 3]) > 0.1)
+        .prop_map(|v| v.map(|x| x / distance(v, [0.0; 3])))
+}
+
+fn radius() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        6 => (-1.0..1.0).prop_map(|e: f64| 10f64.powf(e)),
+        2 => (-3.0..6.0).prop_map(|e: f64| 10f64.powf(e)),
+    ]
+}
+
+fn place() -> impl Strategy<Value = Place> {
+    prop_oneof![
+        4 => prop::array::uniform3(-5.0..5.0).prop_map(Place::Free),
+        3 => (0..40usize, direction()).prop_map(|(i, d)| Place::Touching(i, d)),
+        1 => (0..40usize, direction(), any::<bool>()).prop_map(|(i, d, t)| Place::Within(i, d, t)),
+        1 => (0..40usize).prop_map(Place::Coincident),
+        1 => (direction(), 0.0..1.0).prop_map(|(d, s)| Place::Around(d, s)),
+        1 => direction().prop_map(Place::UnderTheEye),
+    ]
+}
+
+fn colour() -> impl Strategy<Value = [f64; 3]> {
+    prop_oneof![
+        3 => prop::array::uniform3(0.0..1.0),
+        1 => (0.0..1.5).prop_map(|x| [x; 3]),
+        1 => Just([0.0; 3]),
+    ]
+}
+
+fn material() -> impl Strategy<Value = Material> {
+    let factor = || prop_oneof![Just(0.0), Just(1.0), 0.0..1.0];
+    let shininess = prop_oneof![
+        3 => (0u32..=40).prop_map(f64::from),
+        1 => prop::sample::select(vec![200.0, 1023.0, 1024.0, 1025.0, 1e6, 1e-3]),
+        2 => 0.0..300.0,
+    ];
+    let reflect = prop_oneof![1 => Just(None), 2 => factor().prop_map(Some)];
+    (colour(), factor(), factor(), shininess, reflect).prop_map(
+        |(color, diffuse, specular, shininess, reflect)| Material {
+            color,
+            diffuse,
+            specular,
+            shininess,
+            reflect,
+        },
+    )
+}
+
+fn depth() -> impl Strategy<Value = u32> {
+    prop_oneof![3 => 0u32..8, 1 => 8u32..80]
+}
+
+fn min_weight() -> impl Strategy<Value = f64> {
+    prop_oneof![3 => Just(0.0), 1 => 0.0..1.0, 1 => Just(1.0), 1 => Just(1.5)]
+}
+
+fn numerics() -> impl Strategy<Value = Numerics> {
+    prop_oneof![2 => Just(Numerics::Robust), 1 => Just(Numerics::Textbook)]
+}

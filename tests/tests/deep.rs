@@ -1,0 +1,73 @@
+//! Deep paths: equal bits as far as the recursion goes, and no recursion in the engine.
+
+use catoptric_core::{Isa, Settings, StackFull};
+use catoptric_reference::DEPTH_ALLOWED;
+use catoptric_scene::{Compiled, Counts, Film, Grid, Numerics, Scene, View};
+use catoptric_tests::identity::{assert_identical, backends};
+use catoptric_tests::scenes;
+
+/// The closed room as a perfect mirror, so that no path ends before `max_depth`.
+fn closed_room(width: u32, height: u32, max_depth: u32) -> Scene {
+    let mut draft = scenes::named("closed-room");
+    for sphere in &mut draft.spheres {
+        sphere.material.reflect = Some(1.0);
+    }
+    scenes::sized(&draft, width, height, max_depth)
+}
+
+fn render(scene: &Scene, settings: Settings) -> Result<(Film, Counts), StackFull> {
+    let grid = Grid::new(&View::whole(scene));
+    let mut film = Film::new(grid.width, grid.height);
+    let counts = catoptric_core::render(&Compiled::new(scene), &grid, &mut film, settings, &|_| ());
+    counts.map(|counts| (film, counts))
+}
+
+#[test]
+fn closed_rooms_to_10_000() {
+    for depth in [100, 1_000, 10_000] {
+        let mut draft = scenes::named("closed-room");
+        assert_identical("closed-room", &scenes::sized(&draft, 11, 7, depth));
+        assert_identical("perfect room", &closed_room(11, 7, depth));
+        draft.render.numerics = Numerics::Textbook;
+        assert_identical("textbook room", &scenes::sized(&draft, 11, 7, depth));
+    }
+}
+
+#[test]
+fn as_deep_as_the_recursion_goes() {
+    assert_identical("perfect room", &closed_room(3, 1, DEPTH_ALLOWED));
+}
+
+/// A recursion of any kind, one frame a reflection, would need 16 bytes a frame or less to
+/// survive the first 4 096 reflections.
+#[test]
+fn a_million_reflections_on_a_small_stack() {
+    const DEPTH: u32 = 1_000_000;
+    let scene = closed_room(5, 2, DEPTH);
+    for backend in backends() {
+        let small = rayon::ThreadPoolBuilder::new()
+            .num_threads(backend.threads)
+            .stack_size(64 << 10)
+            .build()
+            .expect("threads can be started");
+        let settings = Settings { isa: backend.isa, stack_limit: 2 << 30 };
+        let (film, counts) =
+            small.install(|| render(&scene, settings)).expect("the limit allows it");
+        assert_eq!(counts.depths.len(), DEPTH as usize + 1, "every path goes on to the end");
+        assert!(counts.depths.iter().all(|d| d.rays == 10 && d.hits == 10), "no ray escapes");
+        assert!(film.pixels().iter().flatten().all(|x| x.is_finite() && *x > 0.0));
+    }
+}
+
+#[test]
+fn a_limit_on_the_stack_is_kept() {
+    let settings = |stack_limit| Settings { isa: Isa::detected(), stack_limit };
+    let deep = closed_room(4, 4, u32::MAX);
+    assert_eq!(
+        render(&deep, settings(1 << 20)).map(|_| ()),
+        Err(StackFull { limit: 1 << 20 }),
+        "a closed room at the largest depth needs 550 GB"
+    );
+    // Shallow paths take nothing from it.
+    assert!(render(&closed_room(4, 4, 8), settings(0)).is_ok());
+}

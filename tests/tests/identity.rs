@@ -1,0 +1,102 @@
+//! The recursion and the engine give the same bits.
+
+use catoptric_scene::{Crop, Numerics, Scene, View};
+use catoptric_tests::identity::{assert_identical, check};
+use catoptric_tests::{generate, scenes};
+use proptest::prelude::*;
+
+#[test]
+fn every_scene_in_both_numerics() {
+    for (name, draft) in scenes::all() {
+        for numerics in [Numerics::Robust, Numerics::Textbook] {
+            let mut draft = draft.clone();
+            draft.render.numerics = numerics;
+            let depth = draft.render.max_depth;
+            let scene = scenes::sized(&draft, 333, 187, depth);
+            assert_identical(&format!("{name} {numerics:?}"), &scene);
+        }
+    }
+}
+
+#[test]
+fn the_workshop_at_full_size() {
+    assert_identical("workshop", &scenes::sized(&scenes::named("workshop"), 1920, 1080, 5));
+}
+
+#[test]
+fn every_depth_to_64() {
+    for name in ["workshop", "workshop-near", "corridor"] {
+        for depth in 0..=64 {
+            let scene = scenes::sized(&scenes::named(name), 61, 43, depth);
+            assert_identical(&format!("{name} at depth {depth}"), &scene);
+        }
+    }
+}
+
+#[test]
+fn every_small_size() {
+    let draft = scenes::named("workshop-near");
+    for width in 1..=17 {
+        for height in 1..=17 {
+            let scene = scenes::sized(&draft, width, height, 9);
+            assert_identical(&format!("{width}x{height}"), &scene);
+        }
+    }
+    for (width, height) in [(1, 301), (301, 1), (63, 65), (127, 3), (7, 129)] {
+        assert_identical(&format!("{width}x{height}"), &scenes::sized(&draft, width, height, 9));
+    }
+}
+
+#[test]
+fn crops_and_samples() {
+    let scene = scenes::sized(&scenes::named("planes"), 90, 70, 6);
+    for samples in [1, 2, 3, 5] {
+        for crop in [(0, 0, 90, 70), (13, 9, 21, 17), (89, 69, 1, 1), (3, 60, 80, 10)] {
+            let (x, y, width, height) = crop;
+            let crop = Crop { x, y, width, height };
+            let view = View::new(&scene, Some(crop), samples).expect("inside");
+            check("crop", &scene, &view).unwrap_or_else(|report| panic!("{report}"));
+        }
+    }
+}
+
+#[test]
+fn a_cut_by_weight() {
+    for min_weight in [1e-6, 1.0 / 255.0, 0.1, 0.5, 0.9, 1.0] {
+        for name in ["kissing", "corridor", "closed-room"] {
+            let mut draft = scenes::named(name);
+            draft.render.min_weight = min_weight;
+            let scene = scenes::sized(&draft, 40, 30, 200);
+            assert_identical(&format!("{name} cut at {min_weight}"), &scene);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn generated_scenes(
+        scene in generate::scene(12, (1u32..=17, 1u32..=17)),
+        samples in prop_oneof![4 => Just(1u32), 1 => 2u32..=3],
+    ) {
+        same(&scene, samples)?;
+    }
+
+    #[test]
+    fn generated_crowds(scene in generate::scene(40, (18u32..=50, 5u32..=40))) {
+        same(&scene, 1)?;
+    }
+}
+
+fn same(scene: &Scene, samples: u32) -> Result<(), TestCaseError> {
+    let view = View::new(scene, None, samples).expect("whole");
+    check("generated", scene, &view).map_err(TestCaseError::fail)
+}
+
+/// `PROPTEST_CASES` asks for more or fewer.
+fn config() -> ProptestConfig {
+    let default = ProptestConfig::default();
+    let cases = if std::env::var_os("PROPTEST_CASES").is_some() { default.cases } else { 2_000 };
+    ProptestConfig { cases, failure_persistence: None, ..default }
+}
