@@ -63,20 +63,25 @@ impl Target {
             }
             Ok(_) => Place::Beside(fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())),
             Err(error) if error.kind() == ErrorKind::NotFound => Place::Beside(behind_links(path)),
+            Err(error) if error.kind() == ErrorKind::NotADirectory => {
+                return refuse(&"a folder in its path is a file");
+            }
             Err(error) => return refuse(&error),
         };
-        if let Place::Beside(path) = &place {
-            let folder = folder(path);
-            match fs::metadata(folder) {
-                Ok(found) if found.is_dir() => {}
-                Ok(_) => return refuse(&format_args!("{} is not a folder", folder.display())),
-                Err(error) => {
-                    let folder = folder.display();
-                    return refuse(&format_args!("folder {folder}: {error}; make it first"));
-                }
+        let Place::Beside(path) = &place else {
+            return Ok(Self { name, place });
+        };
+        // The folder's one true name, so that equal places are seen to be equal.
+        let folder = folder(path);
+        match (fs::canonicalize(folder), path.file_name()) {
+            (Ok(found), Some(file)) if found.is_dir() => {
+                Ok(Self { name, place: Place::Beside(found.join(file)) })
+            }
+            (Ok(_), _) => refuse(&format_args!("{} is not a folder", folder.display())),
+            (Err(error), _) => {
+                refuse(&format_args!("folder {}: {error}; make it first", folder.display()))
             }
         }
-        Ok(Self { name, place })
     }
 
     /// How messages call it.

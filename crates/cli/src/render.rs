@@ -102,6 +102,9 @@ fn picture(options: &Options) -> Result<(PathBuf, Format), Failure> {
     match (&options.output, options.format) {
         (Some(path), Some(format)) => Ok((path.clone(), format)),
         (Some(path), None) => {
+            if is_stream(path) {
+                return Err(Failure::wrong_use("-o - needs --format png, ppm or pfm"));
+            }
             let format = Format::of_path(path).ok_or_else(|| {
                 Failure::wrong_use(format_args!(
                     "-o {} does not say which format: allowed endings are .png, .ppm and .pfm, or name one with --format",
@@ -134,11 +137,6 @@ fn check_combinations(options: &Options, picture: &Path) -> Result<(), Failure> 
     }
     if options.stats.as_deref() == Some(picture) {
         return Err(one_place(picture.display()));
-    }
-    for path in [Some(picture), options.stats.as_deref()].into_iter().flatten() {
-        if path.as_os_str().is_empty() {
-            return Err(Failure::wrong_use("the name of an output is empty: name a file, or `-`"));
-        }
     }
     Ok(())
 }
