@@ -1,6 +1,7 @@
 //! The tests that cross crates.
 
 mod deep;
+mod house;
 mod identity;
 mod kernel;
 mod planted;

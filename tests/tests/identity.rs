@@ -1,7 +1,7 @@
 //! The recursion and the engine give the same bits.
 
-use catoptric_scene::{Crop, Numerics, Scene, View};
-use catoptric_tests::identity::{assert_identical, check};
+use catoptric_scene::{Compiled, Crop, Grid, Material, Numerics, Scene, View};
+use catoptric_tests::identity::{assert_identical, check, recursive};
 use catoptric_tests::{generate, scenes};
 use proptest::prelude::*;
 
@@ -69,6 +69,29 @@ fn a_cut_by_weight() {
             let scene = scenes::sized(&draft, 40, 30, 200);
             assert_identical(&format!("{name} cut at {min_weight}"), &scene);
         }
+    }
+}
+
+/// The same surface again changes nothing, whatever it is made of: the first is seen, from
+/// outside, from inside and after any number of reflections.
+#[test]
+fn coincident_surfaces_show_the_first() {
+    for name in ["closed-room", "kissing", "planes"] {
+        let draft = scenes::named(name);
+        let mut doubled = draft.clone();
+        doubled.spheres.extend(draft.spheres.iter().rev().copied());
+        doubled.planes.extend(draft.planes.iter().rev().copied());
+        for sphere in &mut doubled.spheres[draft.spheres.len()..] {
+            sphere.material = Material::matt([9.0, 0.0, 9.0]);
+        }
+        for plane in &mut doubled.planes[draft.planes.len()..] {
+            plane.material = Material::matt([9.0, 0.0, 9.0]);
+        }
+        let once = scenes::sized(&draft, 60, 40, 40);
+        let twice = scenes::sized(&doubled, 60, 40, 40);
+        assert_identical(&format!("{name} twice"), &twice);
+        let picture = |scene| recursive(&Compiled::new(scene), &Grid::new(&View::whole(scene)));
+        assert_eq!(picture(&once), picture(&twice), "{name}");
     }
 }
 

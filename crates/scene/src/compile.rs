@@ -36,7 +36,8 @@ pub struct Compiled {
     pub lights: Vec<PointLight>,
     /// Each different material once.
     pub materials: Vec<Phong>,
-    /// Spheres in file order, then planes: on equal distance the lower index is seen.
+    /// Spheres in file order, then planes: on equal distance the lower index is seen. In a
+    /// robust scene the same surface stands here once.
     pub primitives: Vec<Primitive>,
 }
 
@@ -67,11 +68,11 @@ impl Compiled {
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let (materials, material_of) = materials(scene);
-        let shapes = forms::shapes(scene);
+        let shapes = forms::shapes(scene).into_iter().zip(forms::firsts(scene));
         let primitives = shapes
-            .into_iter()
             .zip(material_of)
-            .map(|(shape, material)| Primitive { shape, material })
+            .filter(|((_, first), _)| *first)
+            .map(|((shape, _), material)| Primitive { shape, material })
             .collect();
         Self {
             numerics: scene.render.numerics,

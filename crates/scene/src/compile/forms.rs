@@ -5,6 +5,8 @@
 //! function, it needs no coordinates of a centre far away (NUMERICS, section 2). The
 //! crossover is at a radius of twice the scene's extent S.
 
+use std::collections::HashSet;
+
 use glam::Vec3;
 
 use super::{from_eye, rounded, unit};
@@ -113,6 +115,20 @@ pub(super) fn shapes(scene: &Scene) -> Vec<Shape> {
             spheres.chain(planes).collect()
         }
     }
+}
+
+/// For each sphere, then each plane, whether no earlier one is the same surface.
+///
+/// The same surface again is never seen: ties go to the first. In a robust scene it must not
+/// be tried either, for a ray that leaves the first would tell the two apart by rounding.
+pub(super) fn firsts(scene: &Draft) -> Vec<bool> {
+    let all = scene.render.numerics == Numerics::Textbook;
+    let bits = |v: [f64; 3]| v.map(|x| (x + 0.0).to_bits());
+    let (mut spheres, mut planes) = (HashSet::new(), HashSet::new());
+    let of_spheres =
+        scene.spheres.iter().map(|s| spheres.insert((bits(s.center), s.radius.to_bits())));
+    let of_planes = scene.planes.iter().map(|p| planes.insert((bits(p.point), bits(p.normal))));
+    of_spheres.chain(of_planes).map(|first| first || all).collect()
 }
 
 /// Whether some primitive stands between a light and all that the eye can see.
