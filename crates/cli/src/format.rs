@@ -83,9 +83,7 @@ fn levels(pixels: &[[f32; 3]], quantiser: &Quantiser, to: &mut [u8]) {
     /// Pixels in a piece of work: enough to be worth handing over.
     const PIECE: usize = 1 << 14;
     to.par_chunks_mut(3 * PIECE).zip(pixels.par_chunks(PIECE)).for_each(|(to, pixels)| {
-        for (to, pixel) in to.as_chunks_mut::<3>().0.iter_mut().zip(pixels) {
-            *to = pixel.map(|channel| quantiser.level(channel));
-        }
+        quantiser.levels(pixels, to.as_chunks_mut().0);
     });
 }
 

@@ -39,19 +39,19 @@ fn ppm_and_png_hold_the_quantised_levels() {
 
 #[test]
 fn bands_of_a_larger_picture_join() {
-    // 300 x 300 pixels are more than one band of the PPM writer.
+    // More than one band of the PPM writer, and the last one not full.
     let folder = Folder::new();
-    let size = "--width 300 --height 300 --engine recursive";
+    let size = "--width 1000 --height 300 --engine recursive";
     folder.done(&format!("render scene.toml -o out.ppm {size}"));
     folder.done(&format!("render scene.toml -o out.pfm {size}"));
     let ppm = folder.read("out.ppm");
     let pfm = folder.read("out.pfm");
-    let (ppm, pfm) = (&ppm[b"P6\n300 300\n255\n".len()..], &pfm[b"PF\n300 300\n-1.0\n".len()..]);
-    assert_eq!((ppm.len(), pfm.len()), (270_000, 1_080_000));
+    let (ppm, pfm) = (&ppm[b"P6\n1000 300\n255\n".len()..], &pfm[b"PF\n1000 300\n-1.0\n".len()..]);
+    assert_eq!((ppm.len(), pfm.len()), (900_000, 3_600_000));
     let quantiser = Quantiser::new(Transfer::Linear);
     for (i, level) in ppm.iter().enumerate() {
-        let (y, x) = (i / 900, i % 900);
-        let at = 4 * ((299 - y) * 900 + x);
+        let (y, x) = (i / 3000, i % 3000);
+        let at = 4 * ((299 - y) * 3000 + x);
         let value = f32::from_le_bytes([pfm[at], pfm[at + 1], pfm[at + 2], pfm[at + 3]]);
         assert_eq!(*level, quantiser.level(value), "channel {x} of row {y}");
     }

@@ -13,7 +13,7 @@ use tempfile::TempDir;
 pub(crate) const CATOPTRIC: &str = env!("CARGO_BIN_EXE_catoptric");
 
 /// The engines whose pictures are checked.
-pub(crate) const ENGINES: [&str; 1] = ["recursive"];
+pub(crate) const ENGINES: [&str; 2] = ["packet", "recursive"];
 
 /// Two mirror spheres on a plane, 13 x 7 pixels: no symmetry, no value twice by design.
 pub(crate) const SCENE: &str = r#"

@@ -192,6 +192,10 @@ fn a_path_too_deep_for_the_recursion_is_1() {
     }
     folder.done(&format!("{deep} --max-depth 100000"));
     folder.done(&format!("{deep} --max-depth 100000 --precision f64"));
+    // The packet engine's stacks grow as far as the memory limit lets them.
+    let packet = "render scene.toml -o out.png --engine packet --max-depth 2000000";
+    refused(&folder, &format!("{packet} --memory-limit 1MiB"), 1, &["--memory-limit", "bytes"]);
+    folder.done(&format!("{packet} --memory-limit 2GiB"));
     // Nor is it an error to allow what no path reaches.
     let shallow = Folder::new();
     shallow.done("render scene.toml --engine recursive --max-depth 4294967295");

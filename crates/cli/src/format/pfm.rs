@@ -16,11 +16,12 @@ pub(super) fn row_bytes(width: u32) -> u64 {
 
 pub(super) fn write(film: &Film, to: &mut dyn Write) -> io::Result<()> {
     write!(to, "PF\n{} {}\n-1.0\n", film.width(), film.height())?;
-    let mut bytes = Vec::with_capacity(film.width() as usize * 12);
+    let mut bytes = vec![[0; 4]; film.width() as usize * 3];
     for row in film.pixels().chunks_exact(film.width() as usize).rev() {
-        bytes.clear();
-        bytes.extend(row.as_flattened().iter().flat_map(|channel| channel.to_le_bytes()));
-        to.write_all(&bytes)?;
+        for (to, channel) in bytes.iter_mut().zip(row.as_flattened()) {
+            *to = channel.to_le_bytes();
+        }
+        to.write_all(bytes.as_flattened())?;
     }
     Ok(())
 }

@@ -7,8 +7,8 @@ use catoptric_scene::{Film, Quantiser};
 use super::header::Header;
 use super::{Levels, Unreadable, levels};
 
-/// Pixels that are converted at a time: the buffer stays in the cache.
-const BAND: usize = 1 << 16;
+/// Pixels that are converted at a time: enough for all threads, and still in the cache.
+const BAND: usize = 1 << 18;
 
 /// Bytes of the band.
 pub(super) fn band_bytes(width: u32, height: u32) -> u64 {
