@@ -84,6 +84,35 @@ fn linear_levels_are_the_stated_operations_in_f32() {
     assert_eq!(quantiser.level(0.002), 1);
 }
 
+/// Between its thresholds a level does not change: a stride that meets every exponent, and
+/// many mantissas, against a search and against the definition word by word.
+#[test]
+fn levels_everywhere_between() {
+    let thresholds: Vec<f32> =
+        (1..=255).map(|v| rounded_up(&srgb_to_linear(&ratio(2 * v - 1, 510)))).collect();
+    let [linear, srgb] = [Transfer::Linear, Transfer::Srgb].map(Quantiser::new);
+    for bits in (0..=1.0_f32.to_bits()).step_by(1_009) {
+        let x = f32::from_bits(bits);
+        assert_eq!(linear.level(x), (x * 255.0 + 0.5) as u8, "{x:e}");
+        let searched = thresholds.partition_point(|&threshold| threshold <= x);
+        assert_eq!(usize::from(srgb.level(x)), searched, "{x:e}");
+    }
+}
+
+#[test]
+fn many_levels_are_those_of_each() {
+    let pixels: Vec<[f32; 3]> =
+        (0..100).map(|i| [i as f32 / 70.0 - 0.2, i as f32 / 100.0, f32::NAN]).collect();
+    for transfer in [Transfer::Linear, Transfer::Srgb] {
+        let quantiser = Quantiser::new(transfer);
+        let mut levels = vec![[7; 3]; pixels.len()];
+        quantiser.levels(&pixels, &mut levels);
+        for (pixel, level) in pixels.iter().zip(levels) {
+            assert_eq!(pixel.map(|x| quantiser.level(x)), level, "{pixel:?}");
+        }
+    }
+}
+
 #[test]
 fn a_new_film_is_black() {
     let film = Film::new(3, 2);
