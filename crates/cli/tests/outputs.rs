@@ -61,6 +61,8 @@ fn what_fails_is_found_before_tracing() {
         &["missing"],
     );
     not_written(&folder, &format!("{RENDER} -o /proc/out.png {slow}"), &["/proc"]);
+    let stats = format!("{RENDER} -o out.png --stats /proc/out.json {slow}");
+    not_written(&folder, &stats, &["/proc"]);
 }
 
 #[test]
