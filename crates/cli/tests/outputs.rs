@@ -1,7 +1,6 @@
 //! Where bytes go, and what is there when they cannot.
 
 use std::fs;
-use std::io::Read;
 use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
 use std::process::{Command, Stdio};
 
@@ -62,11 +61,14 @@ fn what_fails_is_found_before_tracing() {
         &["missing"],
     );
     not_written(&folder, &format!("{RENDER} -o /proc/out.png {slow}"), &["/proc"]);
+    let stats = format!("{RENDER} -o out.png --stats /proc/out.json {slow}");
+    not_written(&folder, &stats, &["/proc"]);
 }
 
 #[test]
 fn a_full_device_is_4() {
     let folder = Folder::new();
+    assert_pipe_is_kept(&folder);
     for format in ["png", "ppm", "pfm"] {
         let full = format!("{RENDER} -o /dev/full --format {format}");
         not_written(&folder, &full, &["/dev/full", "space"]);
@@ -169,20 +171,28 @@ fn links_are_followed_and_kept() {
 #[test]
 fn a_pipe_with_a_name_is_written_directly() {
     let folder = Folder::new();
+    assert_pipe_is_kept(&folder);
+}
+
+/// Makes a pipe in the folder, renders into it, and removes it. A program that replaces a
+/// pipe would also replace a device: what writes to one by its name calls this first, or a
+/// broken program run by root would take the machine's device away.
+fn assert_pipe_is_kept(folder: &Folder) {
     let fifo = folder.path("fifo.ppm");
     assert!(Command::new("mkfifo").arg(&fifo).status().is_ok_and(|made| made.success()));
-    let reader = std::thread::spawn({
-        let fifo = fifo.clone();
-        move || {
-            let mut bytes = Vec::new();
-            fs::File::open(fifo).and_then(|mut file| file.read_to_end(&mut bytes)).map(|_| bytes)
-        }
-    });
+    // Or the reader would wait for ever if the pipe were replaced.
+    let reader = Command::new("timeout")
+        .args(["10", "cat", "fifo.ppm"])
+        .current_dir(folder.path("."))
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("a reader");
     folder.done(&format!("{RENDER} -o fifo.ppm"));
-    folder.done(&format!("{RENDER} -o file.ppm"));
-    let bytes = reader.join().expect("the reader").expect("bytes");
-    assert_eq!(bytes, folder.read("file.ppm"));
     assert!(fs::metadata(&fifo).is_ok_and(|found| found.file_type().is_fifo()));
+    let read = reader.wait_with_output().expect("the reader ends").stdout;
+    fs::remove_file(fifo).expect("the pipe is there");
+    folder.done(&format!("{RENDER} -o file.ppm"));
+    assert_eq!(read, folder.read("file.ppm"));
 }
 
 #[test]

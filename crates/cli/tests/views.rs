@@ -63,21 +63,22 @@ fn options_stand_above_the_scene() {
 #[test]
 fn truth_is_near_the_f32_picture_and_not_it() {
     let folder = Folder::new();
-    folder.done("render scene.toml -o f32.pfm --engine recursive");
+    folder.done("render scene.toml -o f32.pfm --engine recursive --height 50");
     for precision in ["f64", "dd"] {
         folder.done(&format!(
-            "render scene.toml -o {precision}.pfm --engine recursive --precision {precision}"
+            "render scene.toml -o {precision}.pfm --engine recursive --height 50 --threads 1 --precision {precision}"
         ));
         let ran = folder.run(&format!("compare f32.pfm {precision}.pfm --json"));
         assert_eq!(ran.code, Some(1), "{precision} has f32's bits: {}", ran.stderr);
         let report = ran.json();
         assert!(report["max"].as_f64().is_some_and(|max| max < 1e-4), "{precision}: {report}");
-        // Bands of rows must join to the same picture as a crop of them.
-        let crop = "--crop 1,3,7,4 --engine recursive";
+        // Truth is rendered in bands of 16 rows a thread: row 20 is in the second one, and
+        // in the crop's first.
+        let crop = "--crop 1,20,7,4 --height 50 --engine recursive";
         folder.done(&format!("render scene.toml -o crop.pfm {crop} --precision {precision}"));
         let whole = folder.read(&format!("{precision}.pfm"));
-        let last = &whole[whole.len() - 12 * (13 * 4 - 1)..][..12 * 7];
+        let last = &whole[whole.len() - 12 * (13 * 21 - 1)..][..12 * 7];
         let crop = folder.read("crop.pfm");
-        assert_eq!(&crop[crop.len() - 12 * 7..], last, "{precision}: row 3");
+        assert_eq!(&crop[crop.len() - 12 * 7..], last, "{precision}: row 20");
     }
 }
