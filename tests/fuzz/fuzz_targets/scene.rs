@@ -1,0 +1,108 @@
+//! Bytes as a scene in both formats: read, validated, compiled, written, read back and
+//! rendered by both renderers, whose pictures must have the same bits.
+
+#![no_main]
+
+use std::sync::LazyLock;
+
+use catoptric_core::{Isa, Settings};
+use catoptric_scene::{
+    Compiled, Counts, Document, Film, Grid, Numerics, Scene, SceneError, SceneFormat, View,
+};
+use libfuzzer_sys::fuzz_target;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+fuzz_target!(|bytes: &[u8]| {
+    for format in [SceneFormat::Toml, SceneFormat::Json] {
+        match Document::parse("fuzz", bytes, format).and_then(Document::into_scene) {
+            Ok(scene) => accepted(&scene),
+            Err(error) => refused(&error, bytes),
+        }
+    }
+});
+
+/// A message names the file, and a place is a place of the text.
+fn refused(error: &SceneError, bytes: &[u8]) {
+    let message = error.to_string();
+    assert!(message.starts_with("fuzz: "), "{message}");
+    if let Some((line, column)) = error.position() {
+        let lines = bytes.iter().filter(|&&byte| byte == b'\n').count() + 1;
+        assert!((1..=lines).contains(&line) && column >= 1, "{message}");
+        // The JSON parser counts a column in bytes, and may mean the one past the end.
+        assert!(column <= bytes.len() + 1, "{message}");
+    }
+}
+
+fn accepted(scene: &Scene) {
+    for format in [SceneFormat::Toml, SceneFormat::Json] {
+        let text = scene.to_text(format);
+        let again = Document::parse("written", text.as_bytes(), format)
+            .and_then(Document::into_scene)
+            .unwrap_or_else(|error| panic!("{error}\n{text}"));
+        // Debug tells all bits of every number, the sign of a zero included.
+        assert_eq!(format!("{again:?}"), format!("{scene:?}"), "{text}");
+    }
+    // Compiles whatever the size of the picture is.
+    let _ = Compiled::new(scene);
+    for numerics in [Numerics::Robust, Numerics::Textbook] {
+        if let Some(small) = small(scene, numerics) {
+            agree(&small);
+        }
+    }
+}
+
+/// The scene as 3 x 2 pixels and few mirrors; `None` where it has many bodies, or a field of
+/// view that is too extreme for these proportions.
+fn small(scene: &Scene, numerics: Numerics) -> Option<Scene> {
+    let mut draft = scene.clone().into_draft();
+    if draft.spheres.len() + draft.planes.len() + draft.lights.len() > 100 {
+        return None;
+    }
+    (draft.image.width, draft.image.height) = (3, 2);
+    draft.render.max_depth = draft.render.max_depth.min(8);
+    draft.render.numerics = numerics;
+    Scene::new(draft).ok()
+}
+
+/// This thread alone, so that the fuzzer sees what is covered and nothing waits.
+static HERE: LazyLock<ThreadPool> = LazyLock::new(|| {
+    ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().expect("this thread")
+});
+
+/// Both renderers give the same bits and the same counts, on every instruction set.
+fn agree(scene: &Scene) {
+    let compiled = Compiled::new(scene);
+    let grid = Grid::new(&View::whole(scene));
+    let film = || Film::new(grid.width, grid.height);
+
+    let mut expected = film();
+    let counts = HERE
+        .install(|| catoptric_reference::render(&compiled, &grid, &mut expected, &|_| ()))
+        .expect("few mirrors");
+    for isa in Isa::ALL.into_iter().filter(|&isa| isa <= Isa::detected()) {
+        let settings = Settings { isa, stack_limit: 1 << 20 };
+        let mut found = film();
+        let counted = HERE
+            .install(|| catoptric_core::render(&compiled, &grid, &mut found, settings, &|_| ()))
+            .expect("few mirrors");
+        same(&expected, &found, isa, scene);
+        same_counts(&counts, &counted, isa, scene);
+    }
+}
+
+fn same(expected: &Film, found: &Film, isa: Isa, scene: &Scene) {
+    let values = |film: &Film| film.pixels().as_flattened().to_vec();
+    for (at, (a, b)) in values(expected).into_iter().zip(values(found)).enumerate() {
+        assert!(
+            a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan()),
+            "value {at}: recursion {a:e} ({:08x}), {isa} {b:e} ({:08x})\n{}",
+            a.to_bits(),
+            b.to_bits(),
+            scene.to_text(SceneFormat::Toml)
+        );
+    }
+}
+
+fn same_counts(expected: &Counts, found: &Counts, isa: Isa, scene: &Scene) {
+    assert_eq!(expected, found, "{isa}\n{}", scene.to_text(SceneFormat::Toml));
+}
