@@ -92,11 +92,6 @@ impl SceneError {
     /// The same problem at that byte of a file's text.
     pub(crate) fn at(self, file: &str, text: &str, byte: usize) -> Self {
         let (line, column) = excerpt::line_column(text, byte);
-        self.at_line(file, line, column)
-    }
-
-    /// The same problem at that line and column of a file.
-    pub(crate) fn at_line(self, file: &str, line: usize, column: usize) -> Self {
         let place = Place::At { line, column, excerpt: None };
         Self { file: Some(file.to_owned()), place, ..self }
     }

@@ -299,6 +299,10 @@ fn broken_syntax_has_a_place_and_no_key() {
         ("{} x", (1, 4), "trailing characters"),
         ("{\"render\": {\"ambient\": 1e400}}", (1, 28), "number out of range"),
         ("{\"render\": {\"ambient\": NaN}}", (1, 24), "expected value"),
+        // A line that ends inside a string: at its end, not before the next one.
+        ("{\n\"color: 1,\n\"a\": 2}", (2, 11), "control character"),
+        // Columns are characters: the letters before have two bytes each.
+        ("{\"éé\": x}", (1, 8), "expected value"),
     ];
     for (text, place, words) in cases {
         let error = json(text).expect_err(text);

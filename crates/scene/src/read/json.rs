@@ -19,8 +19,16 @@ pub(super) fn parse(name: &str, text: &str) -> Result<Value, SceneError> {
         let message = error.to_string();
         let place = format!(" at line {} column {}", error.line(), error.column());
         let message = message.strip_suffix(&place).unwrap_or(&message).to_owned();
-        SceneError::from(Problem::Syntax(message)).at_line(name, error.line(), error.column())
+        let byte = last_read(text, error.line(), error.column());
+        SceneError::from(Problem::Syntax(message)).at(name, text, byte)
     })
+}
+
+/// The byte that a place of the parser's means: its lines count from 1, its columns are the
+/// bytes of the line that were read. Column 0 is the line break before.
+fn last_read(text: &str, line: usize, column: usize) -> usize {
+    let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
+    (before + column).saturating_sub(1)
 }
 
 /// Finds a key in a text that has been parsed before. A key itself is shown at its value.
