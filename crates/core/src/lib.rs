@@ -5,7 +5,6 @@
 //! made of.
 
 mod ball;
-mod band;
 mod flat;
 mod isa;
 mod lanes;
@@ -13,8 +12,10 @@ mod packet;
 mod power;
 mod render;
 mod shade;
+mod sight;
 mod stack;
 mod textbook;
+mod tile;
 mod vec3;
 
 pub use isa::Isa;
