@@ -65,7 +65,10 @@ impl Random {
             return Err(OutOfRange {
                 parameter: "min_radius",
                 found: number(self.min_radius),
-                allowed: format!("at most max_radius, which is {}", number(self.max_radius)),
+                allowed: format!(
+                    "at most the largest radius, which is {}",
+                    number(self.max_radius)
+                ),
             });
         }
         parameter::reflect(self.reflect)?;

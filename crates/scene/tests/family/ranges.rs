@@ -96,7 +96,7 @@ fn random() {
     real("max_radius", [1e-9, 1e9], |max_radius| Random { max_radius, ..small }.draft());
     real("reflect", FACTOR, |reflect| Random { reflect, ..family }.draft());
     let turned = Random { min_radius: 2.0, max_radius: 1.5, ..family };
-    let message = "min_radius: found 2; allowed: at most max_radius, which is 1.5";
+    let message = "min_radius: found 2; allowed: at most the largest radius, which is 1.5";
     assert_eq!(refused(turned.draft()), Some(("min_radius", message.to_owned())));
     let crowd = Random { balls: MOST_BALLS, ..large };
     assert_eq!(refused(crowd.draft()), None);
