@@ -74,10 +74,10 @@ impl Kissing {
         draft.camera.look_at = [0.0; 3];
         draft.camera.fov = 40.0;
         draft.render.max_depth = 50;
-        draft.render.background = [0.35, 0.55, 0.85];
-        draft.render.ambient = [0.02; 3];
+        draft.render.background = [0.25, 0.32, 0.42];
+        draft.render.ambient = [0.05; 3];
         let light = [4.0, 5.5, 6.0].map(|x| x * extent);
-        draft.lights.push(Light { position: light, intensity: [0.25; 3] });
+        draft.lights.push(Light { position: light, intensity: [0.8; 3] });
         let spheres = centers.into_iter().enumerate();
         draft.spheres = spheres
             .map(|(index, center)| Sphere {

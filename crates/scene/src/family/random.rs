@@ -82,8 +82,8 @@ impl Random {
         draft.camera.look_at = at([0.0, -0.1, 0.0]);
         draft.camera.fov = 40.0;
         draft.render.background = [0.35, 0.5, 0.75];
-        draft.lights.push(Light { position: at([2.0, 5.0, 3.0]), intensity: [0.7; 3] });
-        draft.lights.push(Light { position: at([-4.0, 3.0, 2.0]), intensity: [0.25; 3] });
+        draft.lights.push(Light { position: at([8.0, 20.0, 12.0]), intensity: [0.7; 3] });
+        draft.lights.push(Light { position: at([-16.0, 12.0, 8.0]), intensity: [0.25; 3] });
         draft.planes.push(Plane {
             point: at([0.0, -1.1, 0.0]),
             normal: [0.0, 1.0, 0.0],

@@ -32,8 +32,8 @@ type Frame = [[f64; 3]; 3];
 /// A sphereflake of 1, 10, 91, 820, 7381, 66430 or 597871 balls on a matt ground, z upwards:
 /// the camera, the places of the three lights, the ground and the sky of the database
 /// `balls`. The first ball has radius 0.5; max_depth is 5. With four levels, rays can be
-/// counted against the published counts, whose ground however ends: it is a square of edge
-/// 24.
+/// counted against the published counts. Their depth 5 counts the eye ray, so it is
+/// max_depth 4, and their ground ends: it is a square of edge 24.
 ///
 /// The seed decides the colours, one for each level.
 #[derive(Clone, Copy, Debug, PartialEq)]
