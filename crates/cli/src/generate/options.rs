@@ -44,7 +44,8 @@ pub(super) enum Family {
     Sphereflake(Asked<sphereflake::Options>),
 }
 
-/// A family's own options, then those of all families.
+// A family's own options, then those of all families. No doc comment here nor on `Common`:
+// it would stand in the help in the place of the family's.
 #[derive(Args, Debug)]
 pub(super) struct Asked<F: Args> {
     #[command(flatten)]
@@ -79,7 +80,7 @@ impl Family {
     }
 }
 
-/// Options of all families.
+// Options of all families.
 #[derive(Args, Debug)]
 pub(super) struct Common {
     /// What decides everything that is left to chance, 0 to 18446744073709551615
