@@ -30,11 +30,10 @@ impl Draws {
         integer * (1.0 / (1_u64 << 53) as f64)
     }
 
-    /// Uniform in [least, most], from one [`Self::unit`].
+    /// Uniform from `least` to `most`, from one [`Self::unit`]; rounding may step past `most`
+    /// by its last bit.
     pub(super) fn between(&mut self, least: f64, most: f64) -> f64 {
-        let x = least + (most - least) * self.unit();
-        // The sum may round past the end.
-        if x < most { x } else { most }
+        least + (most - least) * self.unit()
     }
 
     /// A whole number below `n`, from one draw: the high 64 bits of draw times n. Its bias
@@ -46,7 +45,8 @@ impl Draws {
 
     /// Log-uniform in [least, most], both positive: one draw's highest 32 bits halve the
     /// range 32 times at its geometric mean, a set bit keeping the upper half. No logarithm
-    /// is taken, since libm's differ between machines.
+    /// is taken, since libm's differ between machines. Rounded means stay in the range,
+    /// because rounding keeps order and the rounded root of a rounded square is its number.
     pub(super) fn log_between(&mut self, least: f64, most: f64) -> f64 {
         let bits = self.0.next_u64();
         let (mut low, mut high) = (least, most);
@@ -54,11 +54,6 @@ impl Draws {
             let mean = (low * high).sqrt();
             if bits >> (63 - halving) & 1 == 1 { low = mean } else { high = mean }
         }
-        // Rounding of the means may step past the ends.
-        match (low * high).sqrt() {
-            mean if mean < least => least,
-            mean if mean > most => most,
-            mean => mean,
-        }
+        (low * high).sqrt()
     }
 }
