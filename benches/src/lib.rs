@@ -4,6 +4,7 @@
 //! This package reads clocks; the libraries do not.
 
 pub mod flake;
+pub mod history;
 pub mod kernels;
 pub mod runner;
 pub mod subject;
