@@ -6,12 +6,12 @@ use crate::lanes::{Lanes, Mask};
 use crate::packet::{Distance, Rays, Surface};
 use crate::vec3::Vec3;
 
-/// Distances to the ball; `own`: the lanes whose ray starts on it.
+/// Distances to the ball, unless all lanes miss it; `own`: the lanes whose ray starts on it.
 ///
-/// Idle lanes compute what is never read. A ray that misses has a negative discriminant,
-/// hence a distance of NaN, which is never nearer.
+/// Idle lanes compute what is never read.
 #[inline(always)]
-pub(crate) fn distance<L: Lanes>(ball: &Ball, rays: &Rays<L>, own: Mask<L>) -> Distance<L> {
+pub(crate) fn distance<L: Lanes>(ball: &Ball, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>> {
+    let zero = L::splat(0.0);
     let f = Vec3::splat(ball.center) - rays.origin;
     let b = f.dot(rays.direction);
     let x = rays.direction * b - f;
@@ -19,10 +19,14 @@ pub(crate) fn distance<L: Lanes>(ball: &Ball, rays: &Rays<L>, own: Mask<L>) -> D
     if ball.is_around() {
         let s = own.select(b, discriminant.positive().sqrt());
         let t = (b + s).not_behind();
-        return Distance { t, met: t.ge(L::splat(0.0)) };
+        return Some(Distance { t, met: t.ge(zero) });
     }
-    let t = (b - discriminant.sqrt()).not_behind();
-    Distance { t, met: b.gt(L::splat(0.0)).without(own) }
+    let met = (b.gt(zero) & discriminant.ge(zero)).without(own);
+    // Most packets miss most balls: the root is worth a branch.
+    if !met.any() {
+        return None;
+    }
+    Some(Distance { t: (b - discriminant.sqrt()).not_behind(), met })
 }
 
 /// Where the rays meet it at distances `t`.

@@ -6,25 +6,31 @@ use crate::lanes::{Lanes, Mask};
 use crate::packet::{Distance, Rays, Surface};
 use crate::vec3::Vec3;
 
-/// Distances to the surface; `own`: the lanes whose ray starts on it.
+/// Distances to the surface, unless all lanes miss it; `own`: the lanes whose ray starts on it.
 #[inline(always)]
-pub(crate) fn distance<L: Lanes>(flat: &Flat, rays: &Rays<L>, own: Mask<L>) -> Distance<L> {
+pub(crate) fn distance<L: Lanes>(flat: &Flat, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>> {
     let zero = L::splat(0.0);
     let curvature = L::splat(flat.curvature);
-    let (gradient, height) = gradient_and_height(flat, rays.origin);
+    let gradient = gradient(flat, rays.origin);
     let slope = gradient.dot(rays.direction);
     let falling = slope.lt(zero);
     if flat.is_around() {
-        let height = own.drop(height);
+        let height = own.drop(height(flat, gradient, rays.origin));
         let root = (slope * slope - curvature * height).positive().sqrt();
         let near_wall = height / (root - slope);
         let far_wall = (root + slope) / L::splat(-flat.curvature);
         let t = falling.select(near_wall, far_wall).not_behind();
-        return Distance { t, met: t.ge(zero) };
+        return Some(Distance { t, met: t.ge(zero) });
     }
+    let falling = falling.without(own);
+    if !falling.any() {
+        return None;
+    }
+    // Without a root the distance is NaN, which is never nearer.
+    let height = height(flat, gradient, rays.origin);
     let discriminant = slope * slope - curvature * height;
     let t = (height / (discriminant.sqrt() - slope)).not_behind();
-    Distance { t, met: falling.without(own) }
+    Some(Distance { t, met: falling })
 }
 
 /// Where the rays meet it at distances `t`.
@@ -38,19 +44,26 @@ pub(crate) fn surface<L: Lanes>(flat: &Flat, rays: &Rays<L>, t: L) -> Surface<L>
 /// The lanes for which it stands between `point` and a lamp at `distance` in direction `l`.
 #[inline(always)]
 pub(crate) fn occludes<L: Lanes>(flat: &Flat, point: Vec3<L>, l: Vec3<L>, distance: L) -> Mask<L> {
-    let zero = L::splat(0.0);
     let curvature = L::splat(flat.curvature);
-    let (gradient, height) = gradient_and_height(flat, point);
+    let gradient = gradient(flat, point);
     let slope = gradient.dot(l);
-    let discriminant = slope * slope - curvature * height;
-    let rises_again = (zero - slope).lt(curvature * distance);
-    slope.lt(zero) & rises_again & discriminant.ge(zero)
+    let rises_again = (L::splat(0.0) - slope).lt(curvature * distance);
+    let turns = slope.lt(L::splat(0.0)) & rises_again;
+    if !turns.any() {
+        return turns;
+    }
+    let discriminant = slope * slope - curvature * height(flat, gradient, point);
+    turns & discriminant.ge(L::splat(0.0))
 }
 
-/// N(x) and 2g(x), the latter as (N(x) - lean)·x + offset.
+/// N(x).
 #[inline(always)]
-fn gradient_and_height<L: Lanes>(flat: &Flat, x: Vec3<L>) -> (Vec3<L>, L) {
-    let lean = Vec3::splat(flat.lean);
-    let gradient = x * L::splat(flat.curvature) - lean;
-    (gradient, (gradient - lean).dot(x) + L::splat(flat.offset))
+fn gradient<L: Lanes>(flat: &Flat, x: Vec3<L>) -> Vec3<L> {
+    x * L::splat(flat.curvature) - Vec3::splat(flat.lean)
+}
+
+/// 2g(x), as (N(x) - lean)·x + offset.
+#[inline(always)]
+fn height<L: Lanes>(flat: &Flat, gradient: Vec3<L>, x: Vec3<L>) -> L {
+    (gradient - Vec3::splat(flat.lean)).dot(x) + L::splat(flat.offset)
 }

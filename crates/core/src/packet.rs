@@ -148,8 +148,11 @@ fn nearest<L: Lanes>(scene: &Compiled, rays: &Rays<L>) -> (L, L) {
         let distance = match &primitive.shape {
             Shape::Ball(ball) => ball::distance(ball, rays, own),
             Shape::Flat(flat) => flat::distance(flat, rays, own),
-            Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, rays),
-            Shape::TextbookPlane(plane) => textbook::plane_distance(plane, rays),
+            Shape::TextbookSphere(sphere) => Some(textbook::sphere_distance(sphere, rays)),
+            Shape::TextbookPlane(plane) => Some(textbook::plane_distance(plane, rays)),
+        };
+        let Some(distance) = distance else {
+            continue;
         };
         let closer = distance.met & distance.t.lt(best);
         best = closer.select(distance.t, best);

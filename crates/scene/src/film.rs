@@ -51,7 +51,7 @@ impl Film {
 #[derive(Clone, Debug)]
 pub struct Quantiser {
     /// `None` is the linear transfer.
-    srgb: Option<Box<[f32; 255]>>,
+    srgb: Option<Box<Srgb>>,
 }
 
 impl Quantiser {
@@ -60,20 +60,84 @@ impl Quantiser {
     pub fn new(transfer: Transfer) -> Self {
         match transfer {
             Transfer::Linear => Self { srgb: None },
-            Transfer::Srgb => Self { srgb: Some(Box::new(srgb_thresholds())) },
+            Transfer::Srgb => Self { srgb: Some(Box::new(Srgb::new())) },
         }
     }
 
     /// The level of one linear value.
     #[must_use]
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 0 to 255.5")]
     pub fn level(&self, linear: f32) -> u8 {
-        // NaN fails both comparisons and becomes 0.
-        let x = if linear > 0.0 { if linear < 1.0 { linear } else { 1.0 } } else { 0.0 };
         match &self.srgb {
-            None => (x * 255.0 + 0.5) as u8,
-            Some(thresholds) => thresholds.partition_point(|&t| t <= x) as u8,
+            None => linear_level(linear),
+            Some(srgb) => srgb.level(linear),
         }
+    }
+
+    /// The levels of many pixels: the same as one by one, without a call for each.
+    ///
+    /// # Panics
+    /// If there is not one place for each pixel.
+    pub fn levels(&self, linear: &[[f32; 3]], to: &mut [[u8; 3]]) {
+        assert_eq!(linear.len(), to.len(), "a place for each pixel");
+        let all = linear.as_flattened().iter().zip(to.as_flattened_mut());
+        match &self.srgb {
+            None => all.for_each(|(&linear, to)| *to = linear_level(linear)),
+            Some(srgb) => all.for_each(|(&linear, to)| *to = srgb.level(linear)),
+        }
+    }
+}
+
+/// Clamp to [0, 1]. NaN fails the first comparison and becomes 0.
+#[inline]
+fn clamped(x: f32) -> f32 {
+    let x = if x > 0.0 { x } else { 0.0 };
+    if x < 1.0 { x } else { 1.0 }
+}
+
+/// The linear transfer: 255 x + 1/2, truncated.
+///
+/// The cast `as u8` would say the same, but is not compiled to vector instructions. Adding
+/// 2^23 rounds to a whole number, which stands in the lowest bits of the sum's mantissa;
+/// where that went up, one less is the truncated one.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "the lowest 8 bits are the level")]
+fn linear_level(linear: f32) -> u8 {
+    const WHOLE: f32 = 8_388_608.0; // 2^23
+    let x = clamped(linear) * 255.0 + 0.5;
+    let rounded = x + WHOLE;
+    let truncated = if rounded - WHOLE > x { rounded - 1.0 } else { rounded };
+    truncated.to_bits() as u8
+}
+
+/// The sRGB transfer as comparisons.
+#[derive(Clone, Debug)]
+struct Srgb {
+    /// Level v is reached at `thresholds[v - 1]`.
+    thresholds: [f32; 255],
+    /// The level of the least f32 with these upper 16 bits: at most two below that of any
+    /// other one with them. The last entry is that of 1.
+    starts: Vec<u8>,
+}
+
+impl Srgb {
+    #[expect(clippy::cast_possible_truncation, reason = "at most 255 thresholds")]
+    fn new() -> Self {
+        let thresholds = srgb_thresholds();
+        let start = |upper: u32| {
+            let least = f32::from_bits(upper << 16);
+            thresholds.partition_point(|&threshold| threshold <= least) as u8
+        };
+        let starts = (0..=1.0_f32.to_bits() >> 16).map(start).collect();
+        Self { thresholds, starts }
+    }
+
+    fn level(&self, linear: f32) -> u8 {
+        let x = clamped(linear);
+        let mut level = self.starts[(x.to_bits() >> 16) as usize];
+        while level < 255 && self.thresholds[usize::from(level)] <= x {
+            level += 1;
+        }
+        level
     }
 }
 
@@ -103,4 +167,66 @@ fn srgb_to_linear(encoded: f64) -> f64 {
         root -= (root * power4 - x) / (5.0 * power4);
     }
     x * x * (root * root)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The definition, word by word.
+    fn defined(linear: f32) -> u8 {
+        let x = if linear > 0.0 { if linear < 1.0 { linear } else { 1.0 } } else { 0.0 };
+        (x * 255.0 + 0.5) as u8
+    }
+
+    /// Values around every place where a level begins, and what is no number from 0 to 1.
+    fn edges(thresholds: &[f32]) -> Vec<f32> {
+        let around = |&x: &f32| (0..41).map(move |i| f32::from_bits(x.to_bits() - 20 + i));
+        let mut values: Vec<f32> = thresholds.iter().flat_map(around).collect();
+        values.extend([0.0, f32::MIN_POSITIVE, 1e-30, 1.0_f32.next_down(), 1.0, 1.5, f32::MAX]);
+        values.extend([f32::INFINITY, f32::NAN]);
+        values.iter().flat_map(|&x| [x, -x]).collect()
+    }
+
+    #[test]
+    fn linear_levels_are_the_definition_s() {
+        let quantiser = Quantiser::new(Transfer::Linear);
+        let thresholds: Vec<f32> = (1..=255).map(|v| (v as f32 - 0.5) / 255.0).collect();
+        for x in edges(&thresholds) {
+            assert_eq!(quantiser.level(x), defined(x), "{x:e}");
+        }
+        // A stride that meets every exponent and many mantissas.
+        for bits in (0..=1.0_f32.to_bits()).step_by(1_009) {
+            let x = f32::from_bits(bits);
+            assert_eq!(quantiser.level(x), defined(x), "{x:e}");
+        }
+    }
+
+    #[test]
+    fn srgb_levels_begin_at_their_thresholds() {
+        let quantiser = Quantiser::new(Transfer::Srgb);
+        let thresholds = srgb_thresholds();
+        let searched = |x: f32| thresholds.partition_point(|&t| t <= clamped(x)) as u8;
+        for x in edges(&thresholds) {
+            assert_eq!(quantiser.level(x), searched(x), "{x:e}");
+        }
+        for bits in (0..=1.0_f32.to_bits()).step_by(1_009) {
+            let x = f32::from_bits(bits);
+            assert_eq!(quantiser.level(x), searched(x), "{x:e}");
+        }
+    }
+
+    #[test]
+    fn many_levels_are_those_of_each() {
+        let pixels: Vec<[f32; 3]> =
+            (0..100).map(|i| [i as f32 / 70.0 - 0.2, i as f32 / 100.0, f32::NAN]).collect();
+        for transfer in [Transfer::Linear, Transfer::Srgb] {
+            let quantiser = Quantiser::new(transfer);
+            let mut levels = vec![[7; 3]; pixels.len()];
+            quantiser.levels(&pixels, &mut levels);
+            for (pixel, level) in pixels.iter().zip(levels) {
+                assert_eq!(pixel.map(|x| quantiser.level(x)), level, "{pixel:?}");
+            }
+        }
+    }
 }

@@ -1,0 +1,47 @@
+//! Signals: SIGINT, SIGTERM and SIGHUP remove what is unfinished and exit 130.
+
+use std::path::PathBuf;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::{fs, process};
+
+use crate::exit::{Exit, say};
+
+/// Files that exist only until they are renamed or given up.
+///
+/// Whoever makes, renames or removes one holds the lock meanwhile, so that a signal finds
+/// each of them either listed or not there.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// The list of unfinished files, locked.
+pub(crate) fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    // The list is valid after every single step, so a panic elsewhere does not spoil it.
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// From here on, an interruption leaves nothing behind.
+///
+/// Not so under `nohup`: the signals are caught together, so the hang-up that the caller
+/// wants ignored could not be told from the others. There they keep their defaults.
+pub(crate) fn catch() {
+    if hang_up_is_ignored() {
+        return;
+    }
+    // Failing here means that the system lacks handlers; rendering works all the same.
+    let _ = ctrlc::set_handler(|| {
+        // Kept locked to the end: nothing is renamed into place after this line.
+        let unfinished = unfinished();
+        for path in unfinished.iter() {
+            let _ = fs::remove_file(path);
+        }
+        say(format_args!("interrupted: nothing unfinished is left"));
+        process::exit(Exit::Interrupted as i32);
+    });
+}
+
+/// Whether SIGHUP (signal 1, the lowest bit) was ignored by whoever started the program.
+/// Known on Linux alone; elsewhere false.
+fn hang_up_is_ignored() -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    ignored.is_some_and(|mask| u64::from_str_radix(mask.trim(), 16).is_ok_and(|mask| mask & 1 == 1))
+}

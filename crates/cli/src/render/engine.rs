@@ -1,0 +1,197 @@
+//! The two engines and truth, behind one call.
+
+use std::env;
+use std::time::{Duration, Instant};
+
+use catoptric_core::{Isa, Settings};
+use catoptric_reference::truth::{self, Truth};
+use catoptric_scene::{Compiled, Counts, Crop, Film, Grid, Scene, View};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::exit::Failure;
+
+/// What traces the rays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Engine {
+    /// Eight rays at a time, without recursion.
+    Packet,
+    /// One ray at a time, as it is written in a textbook.
+    Recursive,
+}
+
+impl Engine {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Packet => "packet",
+            Self::Recursive => "recursive",
+        }
+    }
+}
+
+/// The arithmetic of a rendering. Above f32 it is truth, whatever the scene's numerics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Precision {
+    F32,
+    F64,
+    DoubleDouble,
+}
+
+impl Precision {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+            Self::DoubleDouble => "dd",
+        }
+    }
+}
+
+/// How to render: all that is not the scene's.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tracing {
+    pub(super) engine: Engine,
+    pub(super) precision: Precision,
+    pub(super) isa: Isa,
+    pub(super) threads: usize,
+    /// Bytes for the packet engine's stacks.
+    pub(super) stack_limit: u64,
+}
+
+/// A picture and what it took.
+pub(super) struct Rendered {
+    pub(super) film: Film,
+    pub(super) counts: Counts,
+    pub(super) compile: Duration,
+    pub(super) trace: Duration,
+}
+
+/// The instruction set that `CATOPTRIC_ISA` asks for, lowered to what the processor has.
+/// Empty is as good as not set.
+///
+/// # Errors
+/// Exit code 2 for an unknown name.
+pub(super) fn instruction_set() -> Result<Isa, Failure> {
+    let best = Isa::detected();
+    let asked = env::var_os("CATOPTRIC_ISA").unwrap_or_default();
+    if asked.is_empty() {
+        return Ok(best);
+    }
+    match asked.to_str().and_then(Isa::named) {
+        Some(isa) => Ok(isa.min(best)),
+        None => {
+            let known = Isa::ALL.map(Isa::name).join(" and ");
+            let asked = asked.display();
+            Err(Failure::wrong_use(format_args!(
+                "CATOPTRIC_ISA is {asked:?}: allowed are {known}; unset it for the best of this processor"
+            )))
+        }
+    }
+}
+
+impl Tracing {
+    /// The threads that trace. A recursion's have stacks for its deepest path; those take
+    /// memory only where they are used.
+    ///
+    /// # Errors
+    /// Exit code 1 if the system does not grant the threads.
+    pub(super) fn pool(&self) -> Result<ThreadPool, Failure> {
+        let builder = ThreadPoolBuilder::new().num_threads(self.threads);
+        let builder = match (self.engine, self.precision) {
+            // This thread traces too instead of waiting.
+            (Engine::Packet, _) => builder.use_current_thread(),
+            (Engine::Recursive, Precision::F32) => {
+                builder.stack_size(catoptric_reference::STACK_BYTES)
+            }
+            (Engine::Recursive, _) => builder.stack_size(truth::STACK_BYTES),
+        };
+        builder.build().map_err(|error| {
+            let threads = self.threads;
+            Failure::failed(format_args!(
+                "{threads} threads cannot be had: {error}; lower --threads"
+            ))
+        })
+    }
+
+    /// Renders on rayon's current threads. `done` is told how many pixels were added.
+    ///
+    /// # Errors
+    /// Exit code 1 where a path is too deep for the engine.
+    pub(super) fn render(
+        &self,
+        scene: &Scene,
+        view: &View,
+        done: &(dyn Fn(u64) + Sync),
+    ) -> Result<Rendered, Failure> {
+        let start = Instant::now();
+        let precision = match self.precision {
+            Precision::F32 => return self.render_f32(scene, view, done, start),
+            Precision::F64 => truth::Precision::F64,
+            Precision::DoubleDouble => truth::Precision::DoubleDouble,
+        };
+        let truth = Truth::new(scene, precision);
+        let compile = start.elapsed();
+        let (film, counts) = self.bands(&truth, scene, view, done)?;
+        Ok(Rendered { film, counts, compile, trace: start.elapsed() - compile })
+    }
+
+    fn render_f32(
+        &self,
+        scene: &Scene,
+        view: &View,
+        done: &(dyn Fn(u64) + Sync),
+        start: Instant,
+    ) -> Result<Rendered, Failure> {
+        let compiled = Compiled::new(scene);
+        let grid = Grid::new(view);
+        let compile = start.elapsed();
+        let mut film = Film::new(view.crop().width, view.crop().height);
+        let traced =
+            match self.engine {
+                Engine::Packet => {
+                    let stack_limit = usize::try_from(self.stack_limit).unwrap_or(usize::MAX);
+                    let settings = Settings { isa: self.isa, stack_limit };
+                    catoptric_core::render(&compiled, &grid, &mut film, settings, done)
+                    .map_err(|full| Failure::failed(format_args!(
+                        "{full}: raise --memory-limit, lower --max-depth or raise --min-weight"
+                    )))
+                }
+                Engine::Recursive => catoptric_reference::render(&compiled, &grid, &mut film, done)
+                    .map_err(|deep| {
+                        Failure::failed(format_args!(
+                            "{deep}: lower --max-depth, raise --min-weight, or use --engine packet"
+                        ))
+                    }),
+            };
+        let counts = traced?;
+        Ok(Rendered { film, counts, compile, trace: start.elapsed() - compile })
+    }
+
+    /// Truth, some rows at a time: its f64 picture is never there as a whole, and progress
+    /// can be told.
+    fn bands(
+        &self,
+        truth: &Truth,
+        scene: &Scene,
+        view: &View,
+        done: &(dyn Fn(u64) + Sync),
+    ) -> Result<(Film, Counts), Failure> {
+        /// Rows for each thread, so that one slow row does not hold up the others for long.
+        const ROWS: u32 = 16;
+        let whole = view.crop();
+        let mut film = Film::new(whole.width, whole.height);
+        let mut counts = Counts::default();
+        let rows = ROWS * u32::try_from(self.threads).expect("at most 1024 threads");
+        let pixels = rows as usize * whole.width as usize;
+        for (band, to) in (0..).zip(film.pixels_mut().chunks_mut(pixels)) {
+            let height = (to.len() / whole.width as usize) as u32;
+            let crop = Crop { y: whole.y + band * rows, height, ..whole };
+            let view = View::new(scene, Some(crop), view.samples())
+                .expect("a part of a view is inside the image");
+            let part = truth.render(&view).map_err(Failure::failed)?;
+            to.copy_from_slice(part.to_film().pixels());
+            counts.add(&part.counts);
+            done(to.len() as u64);
+        }
+        Ok((film, counts))
+    }
+}

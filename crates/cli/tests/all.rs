@@ -1,0 +1,10 @@
+//! The program, from outside: arguments in; bytes, files and exit codes out.
+
+mod compare;
+mod formats;
+mod outputs;
+mod program;
+mod refusals;
+mod signals;
+mod stats;
+mod views;
