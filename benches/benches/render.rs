@@ -4,13 +4,13 @@
 
 use std::time::Duration;
 
-use catoptric_benches::flake::flake;
 use catoptric_benches::runner::Runner;
+use catoptric_benches::scenes::{corridor, flake, workshop};
 use catoptric_benches::subject::Subject;
 use catoptric_benches::test_mode;
 use catoptric_core::Isa;
 use catoptric_scene::Draft;
-use catoptric_tests::scenes::{named, sized};
+use catoptric_tests::scenes::sized;
 use criterion::{BenchmarkId, Criterion, Throughput};
 
 /// Columns and rows of most pictures.
@@ -35,12 +35,10 @@ fn main() {
         .measurement_time(Duration::from_secs(1))
         .nresamples(20_000)
         .configure_from_args();
-    for (name, draft) in
-        [("workshop", named("workshop")), ("corridor", named("corridor")), ("flake", flake())]
-    {
+    for (name, draft) in [("workshop", workshop()), ("corridor", corridor()), ("flake", flake())] {
         group(&mut criterion, name, &draft, SIZE, &DEPTHS);
     }
-    group(&mut criterion, "workshop", &named("workshop"), HEADLINE, &[USUAL_DEPTH]);
+    group(&mut criterion, "workshop", &workshop(), HEADLINE, &[USUAL_DEPTH]);
     criterion.final_summary();
 }
 

@@ -3,9 +3,9 @@
 //!
 //! This package reads clocks; the libraries do not.
 
-pub mod flake;
 pub mod history;
 pub mod kernels;
 pub mod runner;
+pub mod scenes;
 pub mod subject;
 pub mod test_mode;

@@ -1,7 +1,7 @@
-//! Tests of the history and of the scenes made for the benches, in one binary.
+//! Tests of the history and of the kernels' scenes, in one binary.
 
 mod commit;
-mod made_scenes;
+mod kernel_scenes;
 mod rule;
 mod statistics;
 mod table;

@@ -81,11 +81,12 @@ fn other_work_is_not_compared() {
         Entry { size: "640x360".into(), ..fast.clone() },
         Entry { depth: 6, ..fast.clone() },
         Entry { threads: 1, ..fast.clone() },
+        Entry { rays: 1, ..fast.clone() },
     ] {
         let earlier = [other.clone(), other];
         assert_eq!(judge(&earlier, &with(1.0, 1.0)), Verdict::TooLittle(0), "{earlier:?}");
     }
-    let dated = Entry { date: "2025".into(), commit: "b".into(), rounds: 9, rays: 1, ..fast };
+    let dated = Entry { date: "2025".into(), commit: "b".into(), rounds: 9, ..fast };
     assert!(worse(&[dated.clone(), dated], &with(1.0, 1.0)), "none of these is the work");
 }
 

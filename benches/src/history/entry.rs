@@ -139,11 +139,12 @@ impl Entry {
         })
     }
 
-    /// Whether the two were measured on the same work.
+    /// Whether the two were measured on the same work: the same scene, size, depth and
+    /// threads, and as many rays, or the scene itself has changed between them.
     #[must_use]
     pub fn same_work(&self, other: &Self) -> bool {
-        (&self.scene, &self.size, self.depth, self.threads)
-            == (&other.scene, &other.size, other.depth, other.threads)
+        (&self.scene, &self.size, self.depth, self.threads, self.rays)
+            == (&other.scene, &other.size, other.depth, other.threads, other.rays)
     }
 
     /// Whether the two were measured on the same kind of processor.

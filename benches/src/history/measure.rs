@@ -4,12 +4,12 @@ use std::time::{Duration, Instant};
 
 use catoptric_core::Isa;
 use catoptric_scene::{Film, Scene};
-use catoptric_tests::scenes::{named, sized};
+use catoptric_tests::scenes::sized;
 
 use super::entry::Entry;
 use super::spread::{least, median, relative_spread};
-use crate::flake::flake;
 use crate::runner::Runner;
+use crate::scenes::{corridor, flake, workshop};
 use crate::subject::Subject;
 
 /// Threads of the engine, and of the recursion that it is compared with beside 1.
@@ -40,8 +40,8 @@ pub struct Occasion {
 #[must_use]
 pub fn scenes() -> Vec<(&'static str, Scene)> {
     vec![
-        ("workshop", sized(&named("workshop"), 1920, 1080, 5)),
-        ("corridor", sized(&named("corridor"), 640, 360, 16)),
+        ("workshop", sized(&workshop(), 1920, 1080, 5)),
+        ("corridor", sized(&corridor(), 640, 360, 16)),
         ("flake", sized(&flake(), 640, 360, 5)),
     ]
 }

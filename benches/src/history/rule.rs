@@ -1,8 +1,8 @@
 //! Whether the last line of a scene is worse than the noise.
 //!
-//! The rule. A line is compared with the last [`WINDOW`] earlier lines of the same scene,
-//! size, depth, threads, processor and instruction set, of which there must be
-//! [`NEEDED`]. The margin is the largest spread among all of them, the judged line included,
+//! The rule. A line is compared with the last [`WINDOW`] earlier lines of the same work
+//! (scene, size, depth, threads, rays) on the same processor and instruction set, of which
+//! there must be [`NEEDED`]. The margin is the largest spread among all of them, the judged line included,
 //! but at least [`LEAST_MARGIN`]; above [`LARGEST_MARGIN`] nothing can be said. A line is
 //! worse when its speed-up over the recursion on the same number of threads lies below
 //!

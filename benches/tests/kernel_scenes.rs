@@ -1,31 +1,9 @@
-//! The scenes that are made for the benches are what they say.
+//! The scenes of the kernels are what they say.
 
-use catoptric_benches::{flake, kernels};
-use catoptric_scene::{Compiled, Grid, Sphere, View};
+use catoptric_benches::kernels;
+use catoptric_scene::{Compiled, Grid, View};
 use catoptric_tests::identity::{assert_identical, recursive};
 use catoptric_tests::scenes::sized;
-
-#[test]
-fn the_flake_is_91_spheres_that_touch_only_their_kin() {
-    let spheres = flake::flake().spheres;
-    assert_eq!(spheres.len(), 91);
-    let gap = |a: &Sphere, b: &Sphere| {
-        let away = (0..3).map(|i| (a.center[i] - b.center[i]) * (a.center[i] - b.center[i]));
-        away.sum::<f64>().sqrt() - (a.radius + b.radius)
-    };
-    let mut touching = 0;
-    for (i, a) in spheres.iter().enumerate() {
-        for b in &spheres[..i] {
-            assert!(gap(a, b) > -1e-12, "{a:?} and {b:?} overlap");
-            if gap(a, b) < 1e-12 {
-                touching += 1;
-                let ratio = b.radius / a.radius;
-                assert!((ratio - 3.0).abs() < 1e-12, "{a:?} touches {b:?}, not its parent");
-            }
-        }
-    }
-    assert_eq!(touching, 90, "each but the first touches its parent");
-}
 
 #[test]
 fn every_form_is_compiled_to_what_it_is_called() {
