@@ -1,9 +1,10 @@
-//! Tests of the history and of the kernels' scenes, in one binary.
+//! Tests of the history, of the kernels' scenes and of what is timed, in one binary.
 
 mod commit;
 mod kernel_scenes;
 mod rule;
 mod statistics;
+mod subject;
 mod table;
 
 use catoptric_benches::history::entry::Entry;
