@@ -1,6 +1,6 @@
 //! The packet engine: eight rays at a time, no recursion, the recursion's bits.
 //!
-//! Start with [`packet`], the loop; then `shade`, then the shapes, which stand here under the
+//! Start with `packet`, the loop; then `shade`, then the shapes, which stand here under the
 //! same names as in the reference. `lanes` is the only file that knows what eight lanes are
 //! made of.
 
