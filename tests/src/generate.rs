@@ -32,7 +32,7 @@ pub fn scene(
         vec((vector(), vector(), material()), 0..=3),
         vec((vector(), colour()), 0..=3),
     );
-    let eye = (vector(), direction(), 1.0..120.0, any::<prop::sample::Index>());
+    let eye = (vector(), direction(), field_of_view(), any::<prop::sample::Index>());
     let render = (depth(), min_weight(), colour(), colour(), numerics());
     (size, things, eye, render).prop_map(build)
 }
@@ -177,6 +177,10 @@ fn material() -> impl Strategy<Value = Material> {
             reflect,
         },
     )
+}
+
+fn field_of_view() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => 1.0..120.0, 1 => 0.01..1.0, 1 => 120.0..179.9]
 }
 
 fn depth() -> impl Strategy<Value = u32> {

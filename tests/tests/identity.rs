@@ -110,6 +110,12 @@ proptest! {
     fn generated_crowds(scene in generate::scene(40, (18u32..=50, 5u32..=40))) {
         same(&scene, 1)?;
     }
+
+    /// Several tiles wide, so that bounds on what a tile sees have edges to get wrong.
+    #[test]
+    fn generated_panoramas(scene in generate::scene(12, (120u32..=260, 1u32..=24))) {
+        same(&scene, 1)?;
+    }
 }
 
 fn same(scene: &Scene, samples: u32) -> Result<(), TestCaseError> {

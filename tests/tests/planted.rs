@@ -42,7 +42,7 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "lanes off by one",
-        file: "band.rs",
+        file: "tile.rs",
         line: "let rays = eye_rays(scene, L::from_array(columns), L::splat(row));\n        return",
         instead: "let mut columns = columns; columns.rotate_left(1);\n        \
             let rays = eye_rays(scene, L::from_array(columns), L::splat(row));\n        return",
@@ -55,13 +55,13 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "a lost tail lane",
-        file: "band.rs",
-        line: "trace(scene, rays, Mask::first(live), stack)",
-        instead: "trace(scene, rays, Mask::first(live - 1), stack)",
+        file: "tile.rs",
+        line: "Mask::first(live), stack)",
+        instead: "Mask::first(live - 1), stack)",
     },
     Fault {
         name: "a product with the reciprocal in place of a quotient",
-        file: "band.rs",
+        file: "tile.rs",
         line: "Ok(Vec3 { x: sum.x / samples, y: sum.y / samples, z: sum.z / samples })",
         instead: "let samples = L::splat(1.0) / samples; Ok(sum * samples)",
     },
@@ -100,6 +100,18 @@ const FAULTS: &[Fault] = &[
         file: "shade.rs",
         line: "for lamp in &scene.lights {",
         instead: "for lamp in scene.lights.iter().rev() {",
+    },
+    Fault {
+        name: "a ball left out of a tile that shows its rim",
+        file: "sight.rs",
+        line: "self.axis.dot(*axis) >= self.cos * cos - self.sin * sin - MARGIN",
+        instead: "self.axis.dot(*axis) >= self.cos * cos - self.sin * sin + 1e-3",
+    },
+    Fault {
+        name: "a flat left out of a tile that shows its horizon",
+        file: "sight.rs",
+        line: ">= -self.sin - MARGIN",
+        instead: ">= 1e-3 - self.sin",
     },
     Fault {
         name: "a shadow ray that is not counted",

@@ -5,6 +5,8 @@
 //!   render/       its options, its input, its engines, progress, statistics
 //! compare.rs    two pictures: what differs
 //!   compare/      measuring differences, reporting them
+//! generate.rs   families of scenes: options to scene to file
+//!   generate/     the families' options, the command that makes a file again
 //! format.rs     png, ppm, pfm: bytes of a picture, both ways
 //! input.rs      bytes of a file or of stdin
 //! output.rs     where bytes go: beside and renamed, or directly
@@ -16,6 +18,7 @@
 mod compare;
 mod exit;
 mod format;
+mod generate;
 mod input;
 mod interrupt;
 mod memory;
@@ -40,6 +43,7 @@ struct Catoptric {
 enum Command {
     Render(Box<render::Options>),
     Compare(compare::Options),
+    Generate(generate::Options),
 }
 
 const EXIT_CODES: &str = "\
@@ -67,6 +71,7 @@ fn main() -> ExitCode {
     let ended = match asked.command {
         Command::Render(options) => render::run(&options),
         Command::Compare(options) => compare::run(&options),
+        Command::Generate(options) => generate::run(&options),
     };
     match ended {
         Ok(exit) => exit.into(),

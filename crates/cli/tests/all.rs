@@ -2,6 +2,7 @@
 
 mod compare;
 mod formats;
+mod generate;
 mod outputs;
 mod program;
 mod refusals;

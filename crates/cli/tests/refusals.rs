@@ -3,7 +3,7 @@
 use crate::program::{Folder, SCENE};
 
 /// Runs, expects that code, one message with all of `parts`, no output and no change.
-fn refused(folder: &Folder, arguments: &str, code: i32, parts: &[&str]) {
+pub(crate) fn refused(folder: &Folder, arguments: &str, code: i32, parts: &[&str]) {
     refused_with(folder, arguments, "", &[], code, parts);
 }
 

@@ -88,3 +88,15 @@ fn what_is_written_but_not_in_place_is_removed() {
     interrupt(child, "TERM");
     assert_eq!(folder.contents(), before);
 }
+
+#[test]
+fn a_scene_that_waits_for_its_reader_is_given_up() {
+    let folder = Folder::new();
+    let fifo = folder.path("fifo");
+    assert!(Command::new("mkfifo").arg(&fifo).status().is_ok_and(|made| made.success()));
+    let before = folder.contents();
+    let child = start(&folder, "generate room -o fifo --format toml");
+    wait_for_handler(&child);
+    interrupt(child, "TERM");
+    assert_eq!(folder.contents(), before);
+}

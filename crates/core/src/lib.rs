@@ -1,11 +1,10 @@
 //! The packet engine: eight rays at a time, no recursion, the recursion's bits.
 //!
-//! Start with [`packet`], the loop; then `shade`, then the shapes, which stand here under the
+//! Start with `packet`, the loop; then `shade`, then the shapes, which stand here under the
 //! same names as in the reference. `lanes` is the only file that knows what eight lanes are
 //! made of.
 
 mod ball;
-mod band;
 mod flat;
 mod isa;
 mod lanes;
@@ -13,8 +12,10 @@ mod packet;
 mod power;
 mod render;
 mod shade;
+mod sight;
 mod stack;
 mod textbook;
+mod tile;
 mod vec3;
 
 pub use isa::Isa;

@@ -43,6 +43,15 @@ pub(crate) struct Rays<L> {
     pub(crate) left: L,
 }
 
+/// The primitives that are tried, in ascending order; a ray would miss all others.
+#[derive(Clone, Copy)]
+pub(crate) struct Candidates<'a> {
+    /// By the eye rays of these pixels.
+    pub(crate) eye: &'a [u32],
+    /// By mirrored rays.
+    pub(crate) mirrors: &'a [u32],
+}
+
 /// No primitive.
 pub(crate) const NONE: u32 = u32::MAX;
 
@@ -73,18 +82,20 @@ pub(crate) struct TooDeep;
 #[inline(always)]
 pub(crate) fn trace<L: Lanes>(
     scene: &Compiled,
+    candidates: Candidates,
     mut rays: Rays<L>,
     mut live: Mask<L>,
     stack: &mut Stack,
 ) -> Result<Vec3<L>, TooDeep> {
     let mut weight = L::splat(1.0);
     let mut depth = 0;
+    let mut tried = candidates.eye;
     loop {
         if !stack.make_room() {
             stack.clear();
             return Err(TooDeep);
         }
-        let (nearest, distance) = nearest(scene, &rays);
+        let (nearest, distance) = nearest(scene, tried, &rays);
         let met = live.without(nearest.same_bits(L::index(NONE)));
         stack.count().rays += live.count();
         stack.count().hits += met.count();
@@ -126,6 +137,7 @@ pub(crate) fn trace<L: Lanes>(
         }
         rays = next;
         depth += 1;
+        tried = candidates.mirrors;
     }
 
     let mut colour = Vec3::zero();
@@ -140,12 +152,12 @@ pub(crate) fn trace<L: Lanes>(
 /// Primitives are tried in the order of their index and only a smaller distance replaces:
 /// the first of equals wins. A distance of NaN is not smaller.
 #[inline(always)]
-fn nearest<L: Lanes>(scene: &Compiled, rays: &Rays<L>) -> (L, L) {
+fn nearest<L: Lanes>(scene: &Compiled, tried: &[u32], rays: &Rays<L>) -> (L, L) {
     let mut nearest = L::index(NONE);
     let mut best = L::splat(f32::INFINITY);
-    for (index, primitive) in (0..).zip(&scene.primitives) {
+    for &index in tried {
         let own = rays.left.same_bits(L::index(index));
-        let distance = match &primitive.shape {
+        let distance = match &scene.primitives[index as usize].shape {
             Shape::Ball(ball) => ball::distance(ball, rays, own),
             Shape::Flat(flat) => flat::distance(flat, rays, own),
             Shape::TextbookSphere(sphere) => Some(textbook::sphere_distance(sphere, rays)),

@@ -1,4 +1,4 @@
-//! Rendering a view: bands of rows on rayon's threads.
+//! Rendering a view: bands of tiles on rayon's threads.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -6,9 +6,11 @@ use catoptric_scene::{Compiled, Counts, Film, Grid};
 use rayon::prelude::*;
 
 use crate::Isa;
-use crate::band::{Band, ROWS};
 use crate::lanes;
+use crate::packet::{Candidates, TooDeep};
+use crate::sight::Sights;
 use crate::stack::{Budget, Stack};
+use crate::tile::{self, Tile};
 
 /// How to render; none of it changes a bit of the picture.
 #[derive(Clone, Copy, Debug)]
@@ -47,20 +49,21 @@ pub fn render(
 ) -> Result<Counts, StackFull> {
     assert_eq!((film.width(), film.height()), (grid.width, grid.height), "the film's size");
     let budget = Budget::new(settings.stack_limit);
+    let sights = Sights::new(scene);
     let full = AtomicBool::new(false);
     let counts = film
         .pixels_mut()
-        .par_chunks_mut(grid.width as usize * ROWS)
-        .zip(grid.rows.par_chunks(grid.samples as usize * ROWS))
+        .par_chunks_mut(grid.width as usize * tile::HEIGHT)
+        .zip(grid.rows.par_chunks(grid.samples as usize * tile::HEIGHT))
         .map_init(
-            || Stack::new(&budget),
-            |stack, (pixels, rows)| {
+            || (Stack::new(&budget), Vec::new()),
+            |(stack, eye), (pixels, rows)| {
                 if full.load(Ordering::Relaxed) {
                     return Counts::default();
                 }
                 let done = pixels.len() as u64;
-                let band = Band { scene, grid, rows, pixels, stack };
-                if lanes::run(settings.isa, band).is_err() {
+                let mut band = Band { scene, sights: &sights, grid, rows, pixels, stack, eye };
+                if band.render(settings.isa).is_err() {
                     full.store(true, Ordering::Relaxed);
                 }
                 progress(done);
@@ -72,4 +75,38 @@ pub fn render(
             sum
         });
     if full.into_inner() { Err(StackFull { limit: settings.stack_limit }) } else { Ok(counts) }
+}
+
+/// Tiles side by side: what one thread takes at a time.
+struct Band<'a, 'b> {
+    scene: &'a Compiled,
+    sights: &'a Sights,
+    grid: &'a Grid,
+    rows: &'a [f32],
+    pixels: &'a mut [[f32; 3]],
+    stack: &'a mut Stack<'b>,
+    /// Room for the candidates of a tile.
+    eye: &'a mut Vec<u32>,
+}
+
+impl Band<'_, '_> {
+    fn render(&mut self, isa: Isa) -> Result<(), TooDeep> {
+        let (grid, samples) = (self.grid, self.grid.samples as usize);
+        for (tile, columns) in grid.columns.chunks(tile::WIDTH * samples).enumerate() {
+            self.sights.candidates(&self.scene.eye, columns, self.rows, self.eye);
+            let tile = Tile {
+                scene: self.scene,
+                candidates: Candidates { eye: self.eye, mirrors: self.sights.all() },
+                samples,
+                columns,
+                rows: self.rows,
+                pixels: self.pixels,
+                width: grid.width as usize,
+                left: tile * tile::WIDTH,
+                stack: self.stack,
+            };
+            lanes::run(isa, tile)?;
+        }
+        Ok(())
+    }
 }

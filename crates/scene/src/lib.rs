@@ -9,6 +9,7 @@ mod direction;
 mod double_double;
 mod draft;
 mod error;
+pub mod family;
 mod film;
 mod read;
 mod scene;

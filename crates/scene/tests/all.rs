@@ -2,6 +2,7 @@
 
 mod double_double;
 mod drafts;
+mod family;
 mod film;
 mod format;
 mod messages;

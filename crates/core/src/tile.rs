@@ -1,38 +1,49 @@
-//! A band of rows: packets of eight pixels side by side, a partial one at the right edge.
+//! A tile of the picture: packets of eight pixels side by side, partial ones at the right edge.
 
-use catoptric_scene::{Compiled, Grid};
+use catoptric_scene::Compiled;
 
 use crate::lanes::{Kernel, LANES, Lanes, Mask};
-use crate::packet::{NONE, Rays, TooDeep, trace};
+use crate::packet::{Candidates, NONE, Rays, TooDeep, trace};
 use crate::stack::Stack;
 use crate::vec3::Vec3;
 
-/// Rows of a band.
-pub(crate) const ROWS: usize = 8;
+/// Columns of a tile: few enough that most tiles show few primitives, many enough that finding
+/// out which costs little.
+pub(crate) const WIDTH: usize = 64;
+
+/// Rows of a tile.
+pub(crate) const HEIGHT: usize = 8;
 
 /// The work of one thread at a time.
-pub(crate) struct Band<'a, 'b> {
+pub(crate) struct Tile<'a, 'b> {
     pub(crate) scene: &'a Compiled,
-    pub(crate) grid: &'a Grid,
-    /// Vertical positions of the band's sub-rows, `grid.samples` a row.
+    pub(crate) candidates: Candidates<'a>,
+    /// Samples a side.
+    pub(crate) samples: usize,
+    /// Horizontal positions of the tile's sub-columns, `samples` a column.
+    pub(crate) columns: &'a [f32],
+    /// Vertical positions of the tile's sub-rows, `samples` a row.
     pub(crate) rows: &'a [f32],
-    /// Whole rows.
+    /// Whole rows of the picture, `width` pixels each; the tile begins at column `left`.
     pub(crate) pixels: &'a mut [[f32; 3]],
+    pub(crate) width: usize,
+    pub(crate) left: usize,
     pub(crate) stack: &'a mut Stack<'b>,
 }
 
-impl Kernel for Band<'_, '_> {
+impl Kernel for Tile<'_, '_> {
     type Output = Result<(), TooDeep>;
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> Result<(), TooDeep> {
-        let n = self.grid.samples as usize;
-        let rows = self.pixels.chunks_exact_mut(self.grid.width as usize);
-        for (row, sub_rows) in rows.zip(self.rows.chunks_exact(n)) {
-            let packets = row.chunks_mut(LANES);
-            for (pixels, sub_columns) in packets.zip(self.grid.columns.chunks(LANES * n)) {
-                let colour =
-                    packet::<L>(self.scene, sub_columns, sub_rows, pixels.len(), self.stack)?;
+        let Self { scene, candidates, samples: n, columns, left, stack, .. } = self;
+        let right = left + columns.len() / n;
+        let rows = self.pixels.chunks_exact_mut(self.width).zip(self.rows.chunks_exact(n));
+        for (row, sub_rows) in rows {
+            let packets = row[left..right].chunks_mut(LANES);
+            for (pixels, sub_columns) in packets.zip(columns.chunks(LANES * n)) {
+                let live = pixels.len();
+                let colour = packet::<L>(scene, candidates, sub_columns, sub_rows, live, stack)?;
                 let (r, g, b) = (colour.x.to_array(), colour.y.to_array(), colour.z.to_array());
                 for (pixel, ((r, g), b)) in pixels.iter_mut().zip(r.into_iter().zip(g).zip(b)) {
                     *pixel = [r, g, b];
@@ -49,6 +60,7 @@ impl Kernel for Band<'_, '_> {
 #[inline(always)]
 fn packet<L: Lanes>(
     scene: &Compiled,
+    candidates: Candidates,
     sub_columns: &[f32],
     sub_rows: &[f32],
     live: usize,
@@ -57,7 +69,7 @@ fn packet<L: Lanes>(
     if let (&[row], Ok(columns)) = (sub_rows, <[f32; LANES]>::try_from(sub_columns)) {
         // One sample: 0 + c is c, and so is c / 1.
         let rays = eye_rays(scene, L::from_array(columns), L::splat(row));
-        return trace(scene, rays, Mask::first(LANES), stack);
+        return trace(scene, candidates, rays, Mask::first(LANES), stack);
     }
     let n = sub_rows.len();
     let mut sum = Vec3::zero();
@@ -68,7 +80,7 @@ fn packet<L: Lanes>(
                 *column = sub_columns[lane.min(live - 1) * n + i];
             }
             let rays = eye_rays(scene, L::from_array(columns), L::splat(row));
-            sum = sum + trace(scene, rays, Mask::first(live), stack)?;
+            sum = sum + trace(scene, candidates, rays, Mask::first(live), stack)?;
         }
     }
     let samples = L::splat((n * n) as f32);

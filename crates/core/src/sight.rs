@@ -1,0 +1,123 @@
+//! Which primitives the eye rays of a tile can meet.
+//!
+//! The directions of a tile lie in a cone; a ball is seen in another one. Where the cones are
+//! apart no eye ray of the tile meets the ball, and it need not be tried. Nothing else depends
+//! on it: the candidates are tried in the order of their index, as all primitives would be.
+//!
+//! The bounds are formed in f64 and widened by far more than the f32 rays can be off. With
+//! u = 6e-8, an eye ray's direction is within 8u of the exact one, for each of its three terms
+//! is at most as long as their sum. The vector from a ball's centre to the foot of the
+//! perpendicular is within 10u |c|, and its square and r^2 within 4u relative; a flat's slope
+//! is within 4u |lean|.
+
+use catoptric_scene::{Compiled, EyeRays, Shape};
+use glam::DVec3;
+
+/// What bounds are widened by: 2e-6 is above 30u.
+const MARGIN: f64 = 2e-6;
+
+/// From where a primitive may be seen; the eye stands at the origin.
+enum Sight {
+    /// From everywhere: around the eye, close to it, or not bounded.
+    Always,
+    /// In the directions within an angle of the axis.
+    Cone { axis: DVec3, cos: f64, sin: f64 },
+    /// In the directions that fall towards it: those within a right angle of the axis.
+    Half { axis: DVec3 },
+}
+
+/// For each primitive, from where it may be seen.
+pub(crate) struct Sights {
+    sights: Vec<Sight>,
+    all: Vec<u32>,
+}
+
+impl Sights {
+    pub(crate) fn new(scene: &Compiled) -> Self {
+        let sights = scene.primitives.iter().map(|primitive| sight(&primitive.shape)).collect();
+        Self { sights, all: (0..).zip(&scene.primitives).map(|(index, _)| index).collect() }
+    }
+
+    /// The indices of all primitives.
+    pub(crate) fn all(&self) -> &[u32] {
+        &self.all
+    }
+
+    /// Puts the indices of the primitives that a tile's eye rays can meet into `candidates`.
+    ///
+    /// The tile is given by the positions of its columns and rows on the image plane.
+    pub(crate) fn candidates(
+        &self,
+        eye: &EyeRays,
+        columns: &[f32],
+        rows: &[f32],
+        candidates: &mut Vec<u32>,
+    ) {
+        candidates.clear();
+        let cone = TileCone::new(eye, columns, rows);
+        let seen = |sight: &&Sight| cone.as_ref().is_none_or(|cone| cone.meets(sight));
+        candidates.extend((0..).zip(&self.sights).filter(|(_, sight)| seen(sight)).map(|(i, _)| i));
+    }
+}
+
+/// A cone that holds the directions of a tile; its half angle is below a right angle.
+struct TileCone {
+    axis: DVec3,
+    cos: f64,
+    sin: f64,
+}
+
+impl TileCone {
+    /// `None` where the tile spans more than such a cone.
+    ///
+    /// A cone cuts a convex figure out of the image plane, so one that holds the tile's
+    /// corners holds the tile.
+    fn new(eye: &EyeRays, columns: &[f32], rows: &[f32]) -> Option<Self> {
+        let ends = |line: &[f32]| Some([*line.first()?, *line.last()?].map(f64::from));
+        let (columns, rows) = (ends(columns)?, ends(rows)?);
+        let [right, up, forward] = [eye.right, eye.up, eye.forward].map(|v| v.as_dvec3());
+        let direction = |x: f64, y: f64| (forward + right * x + up * y).normalize();
+        let axis = direction((columns[0] + columns[1]) / 2.0, (rows[0] + rows[1]) / 2.0);
+        let mut cos = 1.0;
+        for x in columns {
+            for y in rows {
+                let corner = axis.dot(direction(x, y));
+                cos = if corner < cos { corner } else { cos };
+            }
+        }
+        (cos > 0.0).then(|| Self { axis, cos, sin: (1.0 - cos * cos).sqrt() })
+    }
+
+    /// Whether the two cones have a direction in common, up to the margin: the angle of the
+    /// axes is not above the sum of the half angles. Both are below a right angle, so the
+    /// cosine of the sum falls with it.
+    fn meets(&self, sight: &Sight) -> bool {
+        match sight {
+            Sight::Always => true,
+            Sight::Cone { axis, cos, sin } => {
+                self.axis.dot(*axis) >= self.cos * cos - self.sin * sin - MARGIN
+            }
+            Sight::Half { axis } => self.axis.dot(*axis) >= -self.sin - MARGIN,
+        }
+    }
+}
+
+fn sight(shape: &Shape) -> Sight {
+    match shape {
+        Shape::Ball(ball) if !ball.is_around() => {
+            let center = ball.center.as_dvec3();
+            let distance = center.length();
+            let sin = f64::from(ball.radius) * (1.0 + MARGIN) / distance + MARGIN;
+            if sin < 1.0 {
+                Sight::Cone { axis: center / distance, cos: (1.0 - sin * sin).sqrt(), sin }
+            } else {
+                Sight::Always
+            }
+        }
+        Shape::Flat(flat) if !flat.is_around() => {
+            let lean = flat.lean.as_dvec3();
+            lean.try_normalize().map_or(Sight::Always, |axis| Sight::Half { axis })
+        }
+        _ => Sight::Always,
+    }
+}

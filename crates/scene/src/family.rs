@@ -1,0 +1,43 @@
+//! Families of scenes: from a few numbers and a seed to a scene.
+//!
+//! A family is a plain struct of parameters with defaults; its `draft` makes the scene, or
+//! says which parameter is out of its range. What is in range always makes a valid scene.
+//! The draft's image is the format's default, 640 x 480; set another one before the draft
+//! becomes a scene.
+//!
+//! The same parameters and seed make the same scene, to the bit, on every machine and in
+//! every version: numbers come from one written generator (`draws`), and only from
+//! operations that IEEE 754 rounds correctly (+, -, x, / and the square root).
+//!
+//! ```text
+//! corridor.rs     two mirrors face each other, balls between them
+//! room.rs         a closed mirror sphere, balls and the eye inside
+//! kissing.rs      spheres that touch: a cluster, a ring, a chain
+//! random.rs       a cloud of balls, radii over decades
+//! lattice.rs      balls on a cubic grid
+//! sphereflake.rs  a ball with nine children, each with nine children, ...
+//! ```
+
+mod cells;
+mod corridor;
+mod draws;
+mod kissing;
+mod lattice;
+mod palette;
+mod parameter;
+mod random;
+mod room;
+mod sphereflake;
+mod turn;
+
+pub use corridor::Corridor;
+pub use kissing::{Arrangement, Kissing};
+pub use lattice::Lattice;
+pub use parameter::OutOfRange;
+pub use random::{Placement, Random};
+pub use room::Room;
+pub use sphereflake::Sphereflake;
+
+/// Balls of one scene, at most; mirrors, floors and walls come on top. A draft of so many
+/// takes about 100 MB.
+pub const MOST_BALLS: u32 = 1_000_000;

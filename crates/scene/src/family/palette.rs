@@ -1,0 +1,47 @@
+//! Materials by chance.
+
+use super::draws::Draws;
+use crate::Material;
+
+/// A few materials that differ in colour. Balls share them, since files write a shared
+/// material once and renderers compile it once.
+pub(super) struct Palette([Material; 8]);
+
+impl Palette {
+    /// Eight colours, each with the same factors.
+    pub(super) fn new(draws: &mut Draws, diffuse: f64, specular: f64, reflect: f64) -> Self {
+        Self(std::array::from_fn(|_| Material {
+            color: colour(draws),
+            diffuse,
+            specular,
+            shininess: 30.0,
+            reflect: Some(reflect),
+        }))
+    }
+
+    /// One of them, from one draw.
+    pub(super) fn any(&self, draws: &mut Draws) -> Material {
+        let index = draws.below(self.0.len() as u64);
+        self.0[usize::try_from(index).expect("below eight")]
+    }
+
+    /// By number; they repeat.
+    pub(super) fn at(&self, index: usize) -> Material {
+        self.0[index % self.0.len()]
+    }
+}
+
+/// A clear colour: one channel strong, one weak, one anywhere. Four draws; in hundredths,
+/// which is enough for the eye and short in files.
+fn colour(draws: &mut Draws) -> [f64; 3] {
+    let channels = [draws.between(0.75, 1.0), draws.between(0.15, 0.9), draws.between(0.1, 0.35)];
+    let order = match draws.below(6) {
+        0 => [0, 1, 2],
+        1 => [0, 2, 1],
+        2 => [1, 0, 2],
+        3 => [1, 2, 0],
+        4 => [2, 0, 1],
+        _ => [2, 1, 0],
+    };
+    order.map(|channel: usize| (channels[channel] * 100.0).floor() / 100.0)
+}
