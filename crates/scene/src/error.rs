@@ -31,7 +31,9 @@ pub struct SceneError {
 pub(crate) enum Problem {
     #[error("the file is empty; a scene needs at least one table, such as [image]")]
     Empty,
-    #[error("byte {0} (counted from 0) is not UTF-8 text; a scene is UTF-8")]
+    #[error("the file is UTF-16 text; save it as UTF-8")]
+    Utf16,
+    #[error("byte {0} (counted from 0) is not UTF-8 text; a scene is TOML or JSON in UTF-8")]
     NotText(usize),
     #[error("{0}")]
     Syntax(String),
@@ -76,7 +78,7 @@ impl SceneError {
     pub(crate) fn fault(&self) -> Option<&Fault> {
         match self.problem.as_ref() {
             Problem::Key(fault) => Some(fault),
-            Problem::Empty | Problem::NotText(_) | Problem::Syntax(_) => None,
+            Problem::Empty | Problem::Utf16 | Problem::NotText(_) | Problem::Syntax(_) => None,
         }
     }
 

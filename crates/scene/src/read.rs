@@ -9,6 +9,7 @@ mod draft;
 mod json;
 mod nearest;
 mod table;
+mod text;
 mod toml;
 mod value;
 
@@ -41,12 +42,9 @@ impl SceneFormat {
     /// is `{`, otherwise TOML.
     #[must_use]
     pub fn of_text(text: &[u8]) -> Self {
-        let text = text.strip_prefix(BYTE_ORDER_MARK.as_bytes()).unwrap_or(text);
-        if text.trim_ascii_start().starts_with(b"{") { Self::Json } else { Self::Toml }
+        if text::starts_like_json(text) { Self::Json } else { Self::Toml }
     }
 }
-
-const BYTE_ORDER_MARK: &str = "\u{feff}";
 
 /// A scene file that was read: its text and the draft that it states.
 ///
@@ -74,12 +72,7 @@ impl Document {
     /// value of the wrong type, a required key that is missing, an unknown material, a
     /// material named and stated inline. Ranges are not checked here.
     pub fn parse(name: &str, bytes: &[u8], format: SceneFormat) -> Result<Self, SceneError> {
-        let text = std::str::from_utf8(bytes)
-            .map_err(|error| SceneError::of_file(name, Problem::NotText(error.valid_up_to())))?;
-        let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
-        if text.trim().is_empty() {
-            return Err(SceneError::of_file(name, Problem::Empty));
-        }
+        let text = text::text(name, bytes)?;
         let root = match format {
             SceneFormat::Toml => toml::parse(name, text)?,
             SceneFormat::Json => json::parse(name, text)?,

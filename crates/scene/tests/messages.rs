@@ -53,6 +53,13 @@ const TOML: &[Case<'_>] = &[
         "4294967296",
         "0 to 4294967295",
     ),
+    (
+        "[image]\nwidth = 640.0",
+        "image.width",
+        (2, 9),
+        "640 written with a fraction or an exponent",
+        "an integer from 1",
+    ),
     ("[render]\nmax_depth = 1e400", "render.max_depth", (2, 13), "inf", "0 to 4294967295"),
     ("[camera]\nfov = true", "camera.fov", (2, 7), "true", "between 0 and 180"),
     (
@@ -69,7 +76,7 @@ const TOML: &[Case<'_>] = &[
     ("image = 3", "image", (1, 9), "3", "a table with the keys width, height, transfer"),
     ("[spheres]", "spheres", (1, 1), "a table", "[[spheres]] before each"),
     ("spheres = [1]", "spheres[0]", (1, 12), "1", "a table with the keys center, radius"),
-    ("[[materials]]", "materials", (1, 1), "an array of 1", "a table of materials by name"),
+    ("[[materials]]", "materials", (1, 1), "an array of 1", "by name, such as [materials.red]"),
     (
         "[materials]\nred = 3",
         "materials.red",
@@ -90,6 +97,7 @@ const TOML: &[Case<'_>] = &[
         "an unknown key",
         "width, height, transfer (did you mean width?)",
     ),
+    ("[render]\ndepth = 3", "render.depth", (2, 1), "an unknown key", "(did you mean max_depth?)"),
     (
         "gravity = 9.81",
         "gravity",
@@ -207,6 +215,12 @@ fn materials_are_named_or_inline() {
             "spheres[0].color: found nothing, and it is required; allowed: [r, g, b] here, or `material`",
         ),
         ("material = 3\n", (6, 12), "spheres[0].material: found 3; allowed: the name of one"),
+        (
+            "material = { color = [1, 0, 0] }\n",
+            (6, 12),
+            "spheres[0].material: found a table; allowed: the name of one of the materials; without one, color, diffuse, specular, shininess, reflect stand beside the body's own keys",
+        ),
+        ("[spheres.material]\ncolor = [1, 0, 0]\n", (6, 1), "found a table; allowed: the name"),
     ];
     for (keys, place, text) in cases {
         let error = toml(&format!("{red}{SPHERE}{keys}")).expect_err(keys);
@@ -279,6 +293,7 @@ fn broken_syntax_has_a_place_and_no_key() {
         ("[image]\n[camera]\n[image]", (3, 2)),
         ("spheres = [\n", (1, 12)),
         ("é = 1", (1, 1)),
+        ("{\"image\": {}}", (1, 1)),
     ];
     for (text, place) in cases {
         let error = toml(text).expect_err(text);
@@ -289,7 +304,7 @@ fn broken_syntax_has_a_place_and_no_key() {
         );
     }
     let cases = [
-        ("{", (1, 1), "EOF"),
+        ("{", (1, 1), "the text ends while parsing an object"),
         ("{\"image\": {\"width\": 3,}}", (1, 23), "trailing comma"),
         (
             "{\"image\": {\n\"width\": 3, \"width\": 3}}",
@@ -297,8 +312,14 @@ fn broken_syntax_has_a_place_and_no_key() {
             "the key \"width\" is there twice",
         ),
         ("{} x", (1, 4), "trailing characters"),
-        ("{\"render\": {\"ambient\": 1e400}}", (1, 28), "number out of range"),
-        ("{\"render\": {\"ambient\": NaN}}", (1, 24), "expected value"),
+        (
+            "{\"render\": {\"ambient\": 1e400}}",
+            (1, 28),
+            "number out of range; allowed: at most 1.797",
+        ),
+        ("{\"render\": {\"ambient\": NaN}}", (1, 24), "found NaN; allowed: finite numbers"),
+        ("{\"a\": -Infinity}", (1, 8), "found Infinity; allowed: finite numbers"),
+        ("[image]", (1, 2), "expected value; a scene in JSON starts with {, one in TOML needs"),
         // A line that ends inside a string: at its end, not before the next one.
         ("{\n\"color: 1,\n\"a\": 2}", (2, 11), "control character"),
         // Columns are characters: the letters before have two bytes each.
@@ -321,10 +342,32 @@ fn a_file_without_text_is_refused() {
             let message = "a: the file is empty; a scene needs at least one table, such as [image]";
             assert_eq!(error.to_string(), message);
         }
-        let error = Document::parse("a", b"[image]\n\xff", format).unwrap_err();
-        assert!(
-            error.to_string().starts_with("a: byte 8 (counted from 0) is not UTF-8"),
-            "{error}"
-        );
+    }
+}
+
+#[test]
+fn a_file_that_is_not_utf_8_is_refused() {
+    let utf_16 = |text: &str, big: bool| -> Vec<u8> {
+        let unit = |unit: u16| if big { unit.to_be_bytes() } else { unit.to_le_bytes() };
+        text.encode_utf16().flat_map(unit).collect()
+    };
+    for format in [SceneFormat::Toml, SceneFormat::Json] {
+        for text in ["\u{feff}[image]", "[image]", "{}"] {
+            for big in [false, true] {
+                let error = Document::parse("a", &utf_16(text, big), format).unwrap_err();
+                assert_eq!(error.to_string(), "a: the file is UTF-16 text; save it as UTF-8");
+            }
+        }
+        for bytes in [b"[image]\n\xff", b"[image]\n\0"] {
+            let error = Document::parse("a", bytes, format).unwrap_err();
+            let message =
+                "a: byte 8 (counted from 0) is not UTF-8 text; a scene is TOML or JSON in UTF-8";
+            assert_eq!(error.to_string(), message);
+        }
+        // Neither is UTF-16 a file of zeros, nor one of a single byte.
+        for bytes in [&[0; 100][..], &[0xff]] {
+            let error = Document::parse("a", bytes, format).unwrap_err();
+            assert!(error.to_string().contains("byte 0 (counted from 0)"), "{error}");
+        }
     }
 }

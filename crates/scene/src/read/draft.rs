@@ -121,6 +121,11 @@ fn body_keys([first, second]: [&'static str; 2]) -> [&'static str; 8] {
 /// A body's material: named or inline, never both.
 fn body_material(table: &Table<'_>, materials: &Materials<'_>) -> Result<Material, Fault> {
     let words = "the name of one of the materials";
+    if let Some((found @ Value::Table(_), trail)) = table.get("material") {
+        let keys = MATERIAL_KEYS.join(", ");
+        let allowed = format!("{words}; without one, {keys} stand beside the body's own keys");
+        return Err(Fault::new(trail, found.describe(), allowed));
+    }
     let Some(name) = table.text("material", words)? else {
         return material(
             table,
@@ -150,7 +155,11 @@ fn materials<'a>(scene: &Table<'a>) -> Result<Materials<'a>, Fault> {
         return Ok(Materials::new());
     };
     let Value::Table(named) = value else {
-        return Err(Fault::new(trail, value.describe(), "a table of materials by name"));
+        return Err(Fault::new(
+            trail,
+            value.describe(),
+            "a table of materials by name, such as [materials.red] in TOML",
+        ));
     };
     named
         .iter()

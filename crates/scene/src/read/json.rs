@@ -8,6 +8,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 
+use super::text::starts_like_json;
 use super::{Located, Value, stands_for_array};
 use crate::SceneError;
 use crate::error::{Problem, Segment};
@@ -18,8 +19,9 @@ pub(super) fn parse(name: &str, text: &str) -> Result<Value, SceneError> {
         // The parser appends the place, which this program words itself.
         let message = error.to_string();
         let place = format!(" at line {} column {}", error.line(), error.column());
-        let message = message.strip_suffix(&place).unwrap_or(&message).to_owned();
+        let message = message.strip_suffix(&place).unwrap_or(&message);
         let byte = last_read(text, error.line(), error.column());
+        let message = explained(message, text, byte);
         SceneError::from(Problem::Syntax(message)).at(name, text, byte)
     })
 }
@@ -29,6 +31,28 @@ pub(super) fn parse(name: &str, text: &str) -> Result<Value, SceneError> {
 fn last_read(text: &str, line: usize, column: usize) -> usize {
     let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
     (before + column).saturating_sub(1)
+}
+
+/// The parser's message, for those who do not know how it reads.
+fn explained(message: &str, text: &str, byte: usize) -> String {
+    // What some programs write for a number that JSON does not have.
+    let rest = text.get(byte..).unwrap_or_default();
+    if let Some(word) = ["NaN", "Infinity"].iter().find(|word| rest.starts_with(**word)) {
+        return format!("found {word}; allowed: finite numbers");
+    }
+    if !starts_like_json(text.as_bytes()) {
+        return format!(
+            "{message}; a scene in JSON starts with {{, one in TOML needs a name that does not end in .json"
+        );
+    }
+    match message.strip_prefix("EOF ") {
+        Some(rest) => format!("the text ends {rest}"),
+        None if message == "number out of range" => {
+            "number out of range; allowed: at most 1.7976931348623157e308, the largest of f64"
+                .to_owned()
+        }
+        None => message.to_owned(),
+    }
 }
 
 /// Finds a key in a text that has been parsed before. A key itself is shown at its value.

@@ -1,12 +1,18 @@
 //! Which known word was probably meant, and how known words are listed.
 
-/// The known word nearest to `word`, if it is near: at most a third of its letters differ.
-pub(super) fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+/// The known word that was probably meant: the nearest one, if at most a third of the
+/// letters differ, or else one of which `word` is a part, as `depth` is of `max_depth`.
+pub(super) fn nearest<'a>(
+    word: &str,
+    known: impl Iterator<Item = &'a str> + Clone,
+) -> Option<&'a str> {
+    let longer = known.clone().find(|candidate| candidate.split('_').any(|part| part == word));
     let limit = word.chars().count().div_ceil(3);
     let near = known.map(|candidate| (distance(word, candidate, limit), candidate));
     near.filter(|(distance, _)| *distance <= limit)
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, word)| word)
+        .or(longer)
 }
 
 /// Letters to insert, delete or exchange to make one word the other (Levenshtein), row by

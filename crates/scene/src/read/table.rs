@@ -76,7 +76,13 @@ impl<'a> Table<'a> {
             Value::Number { integer: Some(integer), .. } => u32::try_from(*integer).ok(),
             _ => None,
         };
-        integer.map(Some).ok_or_else(|| Fault::new(trail, value.describe(), allowed.text))
+        integer.map(Some).ok_or_else(|| {
+            let mut found = value.describe();
+            if matches!(value, Value::Number { nearest, integer: None } if nearest.fract() == 0.0) {
+                found += " written with a fraction or an exponent";
+            }
+            Fault::new(trail, found, allowed.text)
+        })
     }
 
     /// Three numbers; `names` is `[x, y, z]` or the like.

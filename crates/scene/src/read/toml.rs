@@ -3,6 +3,7 @@
 use ::toml::Spanned;
 use ::toml::de::{DeFloat, DeInteger, DeTable, DeValue};
 
+use super::text::starts_like_json;
 use super::{Located, Value, stands_for_array};
 use crate::SceneError;
 use crate::error::{Problem, Segment, Target};
@@ -12,7 +13,11 @@ pub(super) fn parse(name: &str, text: &str) -> Result<Value, SceneError> {
     match DeTable::parse(text) {
         Ok(root) => Ok(table(root.into_inner())),
         Err(error) => {
-            let problem = SceneError::from(Problem::Syntax(error.message().to_owned()));
+            let mut message = error.message().to_owned();
+            if starts_like_json(text.as_bytes()) {
+                message += "; the file looks like JSON, which needs a name that ends in .json";
+            }
+            let problem = SceneError::from(Problem::Syntax(message));
             Err(problem.shown(name, text, error.span().unwrap_or(0..0)))
         }
     }
