@@ -12,6 +12,7 @@
 //! output.rs     where bytes go: beside and renamed, or directly
 //! interrupt.rs  signals: remove what is unfinished, exit 130
 //! memory.rs     sizes, and what a rendering will take
+//! whole.rs      whole numbers of the command line
 //! exit.rs       exit codes and error messages
 //! ```
 
@@ -24,6 +25,7 @@ mod interrupt;
 mod memory;
 mod output;
 mod render;
+mod whole;
 
 use std::process::ExitCode;
 

@@ -84,18 +84,32 @@ impl Need {
     /// What is left of the limit: bytes for the stacks of deep paths.
     ///
     /// # Errors
-    /// Exit code 3 if the limit is not enough. Nothing has been taken then.
+    /// Exit code 3 if the limit is not enough, or the system's memory. Nothing has been
+    /// taken then.
     pub(crate) fn within(&self, limit: Size) -> Result<u64, Failure> {
         let need = self.bytes();
-        limit.0.checked_sub(need).ok_or_else(|| {
+        let refused = |why: fmt::Arguments<'_>| {
+            let (width, height, size) = (self.width, self.height, Size(need));
             Failure::bad_input(format_args!(
-                "a picture of {}x{} needs {} of memory ({need} bytes), the limit is {limit}: raise --memory-limit, or render parts with --crop",
-                self.width,
-                self.height,
-                Size(need),
+                "a picture of {width}x{height} needs {size} of memory ({need} bytes), {why} render parts with --crop"
             ))
-        })
+        };
+        let left = limit.0.checked_sub(need).ok_or_else(|| {
+            refused(format_args!("the limit is {limit}: raise --memory-limit, or"))
+        })?;
+        if !granted(need) {
+            return Err(refused(format_args!("which the system does not grant:")));
+        }
+        Ok(left)
     }
+}
+
+/// Whether the system has room for so many bytes. They are asked for and given back
+/// untouched; what fails later, when they are taken in earnest, ends the program.
+fn granted(bytes: u64) -> bool {
+    let bytes = usize::try_from(bytes).unwrap_or(usize::MAX);
+    // Seen from outside, or the compiler would leave out what is given back at once.
+    std::hint::black_box(Vec::<u8>::new()).try_reserve_exact(bytes).is_ok()
 }
 
 #[cfg(test)]

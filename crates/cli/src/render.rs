@@ -47,7 +47,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         engine: options.engine,
         precision: options.precision,
         isa,
-        threads: options.threads.map_or_else(available_threads, usize::from),
+        threads: options.threads.map_or_else(available_threads, |threads| threads as usize),
         stack_limit,
     };
     let pool = tracing.pool()?;

@@ -1,8 +1,11 @@
 //! The program, from outside: arguments in; bytes, files and exit codes out.
 
+mod broken;
 mod compare;
+mod elsewhere;
 mod formats;
 mod generate;
+mod numbers;
 mod outputs;
 mod program;
 mod refusals;

@@ -44,21 +44,21 @@ fn wrong_use_is_2() {
         ("render scene.toml --precision f64", &["f64", "--engine recursive"]),
         ("render scene.toml --precision dd --engine packet", &["dd", "--engine recursive"]),
         ("render scene.toml --numerics exact", &["exact", "robust", "textbook"]),
-        ("render scene.toml --width 0", &["--width", "0", "1..=65535"]),
-        ("render scene.toml --width 65536", &["--width", "65536", "1..=65535"]),
-        ("render scene.toml --height 0", &["--height", "1..=65535"]),
-        ("render scene.toml --height -1", &["--height", "-1", "1..=65535"]),
-        ("render scene.toml --height 65536", &["--height", "1..=65535"]),
+        ("render scene.toml --width 0", &["--width", "0", "from 1 to 65535"]),
+        ("render scene.toml --width 65536", &["--width", "65536", "from 1 to 65535"]),
+        ("render scene.toml --height 0", &["--height", "from 1 to 65535"]),
+        ("render scene.toml --height -1", &["--height", "-1", "from 1 to 65535"]),
+        ("render scene.toml --height 65536", &["--height", "from 1 to 65535"]),
         ("render scene.toml --max-depth 4294967296", &["--max-depth", "4294967295"]),
         ("render scene.toml --max-depth -1", &["--max-depth", "-1", "4294967295"]),
         ("render scene.toml --min-weight -0.5", &["--min-weight", "-0.5", "0 or more"]),
         ("render scene.toml --min-weight NaN", &["--min-weight", "NaN", "finite"]),
         ("render scene.toml --min-weight inf", &["--min-weight", "inf", "finite"]),
-        ("render scene.toml --samples 0", &["--samples", "1..=256"]),
-        ("render scene.toml --samples 257", &["--samples", "257", "1..=256"]),
-        ("render scene.toml --threads 0", &["--threads", "0", "1..=1024"]),
-        ("render scene.toml --threads 1025", &["--threads", "1025", "1..=1024"]),
-        ("render scene.toml --threads -2", &["--threads", "-2", "1..=1024"]),
+        ("render scene.toml --samples 0", &["--samples", "from 1 to 256"]),
+        ("render scene.toml --samples 257", &["--samples", "257", "from 1 to 256"]),
+        ("render scene.toml --threads 0", &["--threads", "0", "from 1 to 1024"]),
+        ("render scene.toml --threads 1025", &["--threads", "1025", "from 1 to 1024"]),
+        ("render scene.toml --threads -2", &["--threads", "-2", "from 1 to 1024"]),
         ("render scene.toml --memory-limit 0", &["--memory-limit", "above 0", "GiB"]),
         ("render scene.toml --memory-limit 2T", &["--memory-limit", "2T", "GiB"]),
         ("render scene.toml --memory-limit -1", &["--memory-limit", "-1"]),
@@ -170,7 +170,7 @@ fn more_memory_than_the_limit_is_3_before_it_is_taken() {
 }
 
 /// Inside a perfect mirror every path goes on for ever.
-const MIRROR_ROOM: &str = r#"
+pub(crate) const MIRROR_ROOM: &str = r#"
 [image]
 width = 2
 height = 1

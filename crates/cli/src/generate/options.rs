@@ -15,6 +15,7 @@ use catoptric_scene::{Draft, SceneFormat};
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::recipe::Recipe;
+use crate::whole::whole;
 
 /// Make the scene of a family from a few numbers and a seed
 ///
@@ -89,17 +90,17 @@ pub(super) struct Common {
 
     /// Columns of the image, 1 to 65535 [default: 640]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-          value_parser = clap::value_parser!(u32).range(1..=65_535))]
+          value_parser = whole::<1, 65_535>)]
     width: Option<u32>,
 
     /// Rows of the image, 1 to 65535 [default: 480]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-          value_parser = clap::value_parser!(u32).range(1..=65_535))]
+          value_parser = whole::<1, 65_535>)]
     height: Option<u32>,
 
     /// Reflections that the scene asks for, 0 to 4294967295 [default: the family's]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-          value_parser = clap::value_parser!(u32).range(0..))]
+          value_parser = whole::<0, { u32::MAX }>)]
     max_depth: Option<u32>,
 
     /// Scene file to write; `-` is stdout

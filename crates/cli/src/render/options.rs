@@ -9,6 +9,7 @@ use super::engine::{Engine, Precision};
 use super::progress::When;
 use crate::format::Format;
 use crate::memory::Size;
+use crate::whole::whole;
 
 /// Render a scene to a picture
 ///
@@ -47,17 +48,17 @@ pub(crate) struct Options {
 
     /// Columns of the image, 1 to 65535 [default: the scene's, else 640]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-          value_parser = clap::value_parser!(u32).range(1..=65_535))]
+          value_parser = whole::<1, 65_535>)]
     pub(super) width: Option<u32>,
 
     /// Rows of the image, 1 to 65535 [default: the scene's, else 480]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-          value_parser = clap::value_parser!(u32).range(1..=65_535))]
+          value_parser = whole::<1, 65_535>)]
     pub(super) height: Option<u32>,
 
     /// Reflections that are followed, 0 to 4294967295 [default: the scene's, else 5]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-          value_parser = clap::value_parser!(u32).range(0..))]
+          value_parser = whole::<0, { u32::MAX }>)]
     pub(super) max_depth: Option<u32>,
 
     /// A reflected ray of less weight than X (0 or more) adds black [default: the scene's, else 0]
@@ -66,7 +67,7 @@ pub(crate) struct Options {
 
     /// N x N rays a pixel, N from 1 to 256
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value_t = 1,
-          value_parser = clap::value_parser!(u32).range(1..=256))]
+          value_parser = whole::<1, 256>)]
     pub(super) samples: u32,
 
     /// Only these pixels of the image: left column, top row, columns, rows
@@ -75,8 +76,8 @@ pub(crate) struct Options {
 
     /// Threads that trace, 1 to 1024 [default: as many as the system can run at once]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-          value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub(super) threads: Option<u16>,
+          value_parser = whole::<1, 1024>)]
+    pub(super) threads: Option<u32>,
 
     /// Memory for the picture, the scene and the stacks of deep paths
     ///
