@@ -3,6 +3,7 @@
 mod broken;
 mod compare;
 mod elsewhere;
+mod examples;
 mod formats;
 mod generate;
 mod numbers;
