@@ -46,6 +46,8 @@ if __name__ == "__main__":
     scene = row_of_mirrors(3)
     picture = render(scene)
     assert picture.shape == (90, 160, 3) and picture.dtype == numpy.float32
+    sky = numpy.float32(scene["render"]["background"])
+    assert (picture[0] == sky).all() and (picture[-1] != sky).any(), "the sky is above"
     recursive = render(scene, "--engine", "recursive")
     same = numpy.array_equal(picture.view(numpy.uint32), recursive.view(numpy.uint32))
     print(f"{picture.shape} {picture.dtype}, mean {picture.mean(axis=(0, 1))}")
