@@ -37,6 +37,40 @@ pub fn scene(
     (size, things, eye, render).prop_map(build)
 }
 
+/// The rim of a ball, or the horizon of a plane, somewhere across a narrow view: where bounds
+/// on what a part of the picture shows are tight.
+pub fn rim(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = Scene> {
+    let field_of_view = (-1.0..1.5f64).prop_map(|e: f64| 10f64.powf(e));
+    let radius = prop_oneof![Just(None), (0.01..80.0f64).prop_map(Some)];
+    (size, field_of_view, -0.7..0.7f64, -180.0..180.0f64, radius).prop_map(
+        |((width, height), fov, share, roll, radius)| {
+            let mut draft = Draft::default();
+            (draft.image.width, draft.image.height) = (width, height);
+            draft.camera.fov = fov;
+            let roll = roll.to_radians();
+            draft.camera.up = [roll.sin(), roll.cos(), 0.0];
+            // The rim's elevation over the middle of the view.
+            let rim = (fov * share).to_radians();
+            let material = Material::matt([1.0; 3]);
+            match radius.map(f64::to_radians) {
+                None => {
+                    let normal = [0.0, rim.cos(), rim.sin()];
+                    draft.planes.push(Plane { point: normal.map(|x| -x), normal, material });
+                }
+                Some(radius) => {
+                    let elevation = rim - radius;
+                    let center = [0.0, 50.0 * elevation.sin(), -50.0 * elevation.cos()];
+                    draft.spheres.push(Sphere { center, radius: 50.0 * radius.sin(), material });
+                    // Something at another distance, so that the ball is not taken for flat.
+                    let center = [0.0, 0.0, 900.0];
+                    draft.spheres.push(Sphere { center, radius: 1.0, material });
+                }
+            }
+            Scene::new(draft).expect("generated scenes are valid")
+        },
+    )
+}
+
 type Things =
     (Vec<(Place, f64, Material)>, Vec<([f64; 3], [f64; 3], Material)>, Vec<([f64; 3], [f64; 3])>);
 type Eye = ([f64; 3], [f64; 3], f64, prop::sample::Index);

@@ -80,8 +80,8 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "the primitive just left is met again",
         file: "ball.rs",
-        line: "met: b.gt(L::splat(0.0)).without(own)",
-        instead: "met: b.gt(L::splat(0.0))",
+        line: "(b.gt(zero) & discriminant.ge(zero)).without(own)",
+        instead: "(b.gt(zero) & discriminant.ge(zero))",
     },
     Fault {
         name: "a ray exactly at the cut is lost",
@@ -122,6 +122,15 @@ const FAULTS: &[Fault] = &[
 ];
 
 #[test]
+fn every_fault_has_its_line() {
+    for fault in FAULTS {
+        let file = root().join("crates/core/src").join(fault.file);
+        let source = fs::read_to_string(file).expect("the engine's source");
+        assert_eq!(source.matches(fault.line).count(), 1, "{}: {:?}", fault.file, fault.line);
+    }
+}
+
+#[test]
 #[ignore = "builds the engine once a fault, about 4 minutes; .ci/run asks for it"]
 fn every_planted_fault_is_caught() {
     let copy = tempfile::tempdir().expect("a temporary folder");
@@ -130,7 +139,6 @@ fn every_planted_fault_is_caught() {
     for fault in FAULTS {
         let file = copy.path().join("crates/core/src").join(fault.file);
         let sound = fs::read_to_string(&file).expect("the engine's source");
-        assert_eq!(sound.matches(fault.line).count(), 1, "{}: {:?}", fault.file, fault.line);
         fs::write(&file, sound.replace(fault.line, fault.instead)).expect("the copy is ours");
         let report = run_identity(copy.path());
         fs::write(&file, sound).expect("the copy is ours");

@@ -113,10 +113,7 @@ pub(crate) fn trace<L: Lanes>(
             let lanes = met & nearest.same_bits(L::index(index));
             waiting &= !lanes.bits();
 
-            let primitive = &scene.primitives[index as usize];
-            let material = &scene.materials[primitive.material as usize];
-            let k = material.mirror;
-            let Shaded { local, surface, mirrored, left } =
+            let Shaded { local, k, surface, mirrored, left } =
                 shade::shade(scene, index, &rays, distance, lanes, stack.count());
             bounce.local = Vec3::select(lanes, local, bounce.local);
             if k > 0.0 && followed {

@@ -12,6 +12,8 @@ use crate::{ball, flat, textbook};
 pub(crate) struct Shaded<L> {
     /// Ambient light and lamps.
     pub(crate) local: Vec3<L>,
+    /// The mirror factor, the same for all lanes.
+    pub(crate) k: f32,
     pub(crate) surface: Surface<L>,
     /// Directions of the mirrored rays.
     pub(crate) mirrored: Vec3<L>,
@@ -39,7 +41,7 @@ pub(crate) fn shade<L: Lanes>(
     };
     let mirrored = mirrored(scene.numerics, rays.direction, surface.normal);
     let local = local(scene, material, &surface, left, mirrored, lanes, count);
-    Shaded { local, surface, mirrored, left }
+    Shaded { local, k: material.mirror, surface, mirrored, left }
 }
 
 /// d - 2 (d·n) n; robust: made a unit vector again by one Newton step.
