@@ -8,8 +8,8 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-use catoptric_core::{Isa, Settings};
-use catoptric_scene::{Compiled, Counts, Film, Grid, Scene, SceneFormat, View};
+use catoptric_core::{Isa, Settings, render_levels};
+use catoptric_scene::{Compiled, Counts, Film, Grid, Quantiser, Scene, SceneFormat, View};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// One way to run the engine.
@@ -61,6 +61,27 @@ pub fn packets(scene: &Compiled, grid: &Grid, backend: Backend) -> (Film, Counts
     let pool = &POOLS[backend.threads - 1];
     let counts = pool.install(|| catoptric_core::render(scene, grid, &mut film, settings, &|_| ()));
     (film, counts.expect("the engine's stack holds the path"))
+}
+
+/// A rendering by the engine straight to 8-bit levels.
+///
+/// # Panics
+/// If its stack passes 8 GiB.
+#[must_use]
+pub fn packet_levels(
+    scene: &Compiled,
+    grid: &Grid,
+    quantiser: &Quantiser,
+    backend: Backend,
+) -> Vec<[u8; 3]> {
+    let mut levels = vec![[0; 3]; grid.width as usize * grid.height as usize];
+    let settings = Settings { isa: backend.isa, stack_limit: 8 << 30 };
+    let pool = &POOLS[backend.threads - 1];
+    let rendered = pool.install(|| {
+        render_levels(scene, grid, quantiser, &mut levels, settings, &|_| ()).map(|_| ())
+    });
+    rendered.expect("the engine's stack holds the path");
+    levels
 }
 
 /// Renders a view both ways on every backend.

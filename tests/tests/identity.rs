@@ -1,7 +1,7 @@
 //! The recursion and the engine give the same bits.
 
-use catoptric_scene::{Compiled, Crop, Grid, Material, Numerics, Scene, View};
-use catoptric_tests::identity::{assert_identical, check, recursive};
+use catoptric_scene::{Compiled, Crop, Grid, Material, Numerics, Quantiser, Scene, Transfer, View};
+use catoptric_tests::identity::{assert_identical, backends, check, packet_levels, recursive};
 use catoptric_tests::{generate, scenes};
 use proptest::prelude::*;
 
@@ -68,6 +68,27 @@ fn a_cut_by_weight() {
             draft.render.min_weight = min_weight;
             let scene = scenes::sized(&draft, 40, 30, 200);
             assert_identical(&format!("{name} cut at {min_weight}"), &scene);
+        }
+    }
+}
+
+/// The engine's way straight to 8-bit levels gives those of the recursion's film.
+#[test]
+fn levels_are_those_of_the_film() {
+    for (name, draft) in scenes::all() {
+        let scene = scenes::sized(&draft, 131, 45, 7);
+        for samples in [1, 2] {
+            let view = View::new(&scene, None, samples).expect("whole");
+            let (compiled, grid) = (Compiled::new(&scene), Grid::new(&view));
+            let film = recursive(&compiled, &grid).0;
+            for quantiser in [Transfer::Linear, Transfer::Srgb].map(Quantiser::new) {
+                let mut expected = vec![[0; 3]; film.pixels().len()];
+                quantiser.levels(film.pixels(), &mut expected);
+                for backend in backends() {
+                    let found = packet_levels(&compiled, &grid, &quantiser, backend);
+                    assert!(found == expected, "{name}, {samples} samples, {backend:?}");
+                }
+            }
         }
     }
 }

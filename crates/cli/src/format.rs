@@ -42,32 +42,46 @@ impl Format {
         }
     }
 
-    /// Bytes that writing takes beside the film, at most.
-    pub(crate) fn writer_bytes(self, width: u32, height: u32) -> u64 {
+    /// Whether it holds 8-bit levels, and not what was computed.
+    pub(crate) fn is_8_bit(self) -> bool {
+        self != Self::Pfm
+    }
+
+    /// Bytes that a picture takes, at most, from the first pixel to the last byte written:
+    /// a film (12 a pixel) or levels (3 a pixel), and the writer's buffers.
+    pub(crate) fn bytes(self, width: u32, height: u32, from_film: bool) -> u64 {
         let pixels = u64::from(width) * u64::from(height);
-        match self {
+        match (self, from_film) {
             // The levels, while the film is still there. The compressed picture comes when
             // the film is gone, and is smaller than that.
-            Self::Png => pixels * 3,
-            Self::Ppm => ppm::band_bytes(width, height),
-            Self::Pfm => pfm::row_bytes(width),
+            (Self::Png, true) => pixels * (12 + 3),
+            (Self::Ppm, true) => pixels * (12 + 3),
+            // The compressed picture may be a little larger than the levels.
+            (Self::Png, false) => pixels * (3 + 4),
+            (Self::Ppm, false) => pixels * 3,
+            (Self::Pfm, _) => pixels * 12 + pfm::row_bytes(width),
         }
     }
 
-    /// Writes a picture. Takes the film, so that its memory can be had back early.
+    /// Writes a picture. Takes it, so that its memory can be had back early. A film becomes
+    /// levels here, for the formats that hold them.
     ///
     /// # Errors
     /// Only those of `to`.
+    ///
+    /// # Panics
+    /// If a format of linear light is to be written from levels.
     pub(crate) fn write(
         self,
-        film: Film,
+        picture: Picture,
         quantiser: &Quantiser,
         to: &mut dyn Write,
     ) -> io::Result<()> {
-        match self {
-            Self::Png => png::write(film, quantiser, to),
-            Self::Ppm => ppm::write(&film, quantiser, to),
-            Self::Pfm => pfm::write(&film, to),
+        match (self, picture) {
+            (Self::Png, picture) => png::write(&picture.into_levels(quantiser), to),
+            (Self::Ppm, picture) => ppm::write(&picture.into_levels(quantiser), to),
+            (Self::Pfm, Picture::Linear(film)) => pfm::write(&film, to),
+            (Self::Pfm, Picture::Levels(_)) => unreachable!("levels are only made to be written"),
         }
     }
 }
@@ -78,21 +92,12 @@ impl fmt::Display for Format {
     }
 }
 
-/// 8-bit levels of pixels, three a pixel, on rayon's current threads.
-fn levels(pixels: &[[f32; 3]], quantiser: &Quantiser, to: &mut [u8]) {
-    /// Pixels in a piece of work: enough to be worth handing over.
-    const PIECE: usize = 1 << 14;
-    to.par_chunks_mut(3 * PIECE).zip(pixels.par_chunks(PIECE)).for_each(|(to, pixels)| {
-        quantiser.levels(pixels, to.as_chunks_mut().0);
-    });
-}
-
-/// A picture that was read.
+/// A picture, read or rendered.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Picture {
-    /// From PNG or PPM.
+    /// What PNG and PPM hold.
     Levels(Levels),
-    /// From PFM.
+    /// What PFM holds.
     Linear(Film),
 }
 
@@ -103,6 +108,13 @@ pub(crate) struct Levels {
     pub(crate) height: u32,
     /// Row by row from the top left.
     pub(crate) pixels: Vec<[u8; 3]>,
+}
+
+impl Levels {
+    /// A black picture. Its pages are taken as they are first written.
+    pub(crate) fn new(width: u32, height: u32) -> Self {
+        Self { width, height, pixels: vec![[0; 3]; width as usize * height as usize] }
+    }
 }
 
 impl Picture {
@@ -125,6 +137,22 @@ impl Picture {
             Unreadable::Bad(what) => Failure::bad_input(format_args!("{name} {what}")),
             Unreadable::Other(what) => Failure::wrong_use(format_args!("{name} {what}")),
         })
+    }
+
+    /// As 8-bit levels; a film is converted on rayon's current threads.
+    fn into_levels(self, quantiser: &Quantiser) -> Levels {
+        /// Pixels in a piece of work: enough to be worth handing over.
+        const PIECE: usize = 1 << 14;
+        match self {
+            Self::Levels(levels) => levels,
+            Self::Linear(film) => {
+                let mut levels = Levels::new(film.width(), film.height());
+                let pieces = levels.pixels.par_chunks_mut(PIECE);
+                let linear = film.pixels().par_chunks(PIECE);
+                pieces.zip(linear).for_each(|(to, linear)| quantiser.levels(linear, to));
+                levels
+            }
+        }
     }
 
     /// Columns and rows.

@@ -68,17 +68,23 @@ pub(crate) struct Need {
     pub(crate) samples: u32,
     /// How it is written.
     pub(crate) format: Format,
+    /// Whether there is a film, and not 8-bit levels from the first.
+    pub(crate) film: bool,
+    /// Threads that trace.
+    pub(crate) threads: usize,
     /// The scene's text and what is made of it, in bytes.
     pub(crate) scene: u64,
 }
 
 impl Need {
-    /// Bytes at most: the film (12 a pixel), the writer's buffers, the scene and the grid.
+    /// Bytes at most: the picture, what each thread keeps of it, the scene and the grid.
     fn bytes(&self) -> u64 {
         let (width, height) = (u64::from(self.width), u64::from(self.height));
-        let film = width * height * 12;
+        let picture = self.format.bytes(self.width, self.height, self.film);
+        // Eight rows in linear light.
+        let threads = if self.film { 0 } else { self.threads as u64 * width * 96 };
         let grid = (width + height) * u64::from(self.samples) * 4;
-        film + self.format.writer_bytes(self.width, self.height) + grid + self.scene
+        picture + threads + grid + self.scene
     }
 
     /// What is left of the limit: bytes for the stacks of deep paths.

@@ -39,26 +39,31 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let load = start.elapsed();
     let view = View::new(&scene, options.crop, options.samples).map_err(Failure::wrong_use)?;
     let (width, height) = (view.crop().width, view.crop().height);
-    let need = Need { width, height, samples: options.samples, format, scene: bytes };
+    let threads = options.threads.map_or_else(available_threads, |threads| threads as usize);
+    // The packet engine goes straight to levels where no more is asked for.
+    let film = options.engine == Engine::Recursive || !format.is_8_bit();
+    let samples = options.samples;
+    let need = Need { width, height, samples, format, film, threads, scene: bytes };
     let stack_limit = need.within(options.memory_limit)?;
     let (picture, report) = targets(options, &path)?;
 
+    let quantiser = Quantiser::new(scene.image.transfer);
     let tracing = Tracing {
         engine: options.engine,
         precision: options.precision,
         isa,
-        threads: options.threads.map_or_else(available_threads, |threads| threads as usize),
+        threads,
         stack_limit,
+        levels: (!film).then_some(&quantiser),
     };
     let pool = tracing.pool()?;
     let bar = progress::bar(u64::from(width) * u64::from(height), options.progress, options.quiet);
     let rendered = pool.install(|| tracing.render(&scene, &view, &|pixels| bar.inc(pixels)));
     bar.finish_and_clear();
-    let Rendered { film, counts, compile, trace } = rendered?;
+    let Rendered { picture: pixels, counts, compile, trace } = rendered?;
 
     let encoding = Instant::now();
-    let quantiser = Quantiser::new(scene.image.transfer);
-    let staged = pool.install(|| picture.stage(|to| format.write(film, &quantiser, to)))?;
+    let staged = pool.install(|| picture.stage(|to| format.write(pixels, &quantiser, to)))?;
     let (encode, total) = (encoding.elapsed(), start.elapsed());
 
     let stats = Stats {
@@ -71,7 +76,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         width,
         height,
         max_depth: scene.render.max_depth,
-        threads: tracing.threads,
+        threads,
         isa: (options.engine == Engine::Packet).then(|| isa.name()),
         time_ms: Times {
             load: ms(load),

@@ -150,18 +150,27 @@ fn more_memory_than_the_limit_is_3_before_it_is_taken() {
     refused(&folder, largest, 3, &["65535x65535", "2 GiB", "--memory-limit", "--crop"]);
     refused(&folder, "render scene.toml --memory-limit 100", 3, &["--memory-limit"]);
 
-    for format in ["png", "ppm", "pfm"] {
+    // Bytes a pixel: for PFM the film in f32, for the others the levels, with the recursion
+    // also the film; for PNG the compressed picture.
+    let cases = [
+        ("png", "recursive", 12 + 3),
+        ("ppm", "recursive", 12 + 3),
+        ("pfm", "recursive", 12),
+        ("png", "packet", 3 + 4),
+        ("ppm", "packet", 3),
+        ("pfm", "packet", 12),
+    ];
+    for (format, engine, bytes) in cases {
         // The message says how much is enough: to the byte.
-        let arguments = format!(
-            "render scene.toml -o out.{format} --width 800 --height 600 --engine recursive"
-        );
+        let arguments =
+            format!("render scene.toml -o out.{format} --width 800 --height 600 --engine {engine}");
         let ran = folder.run(&format!("{arguments} --memory-limit 1MB"));
         let need = ran.stderr.split(['(', ' ']).zip(ran.stderr.split(['(', ' ']).skip(1));
         let need = need.filter(|(_, unit)| unit.starts_with("bytes")).map(|(number, _)| number);
         let need: u64 = need.last().and_then(|n| n.parse().ok()).expect("a number of bytes");
-        // The film in f32, for PNG also the levels; then bands, grid and scene.
-        let pixels = 800 * 600 * if format == "png" { 12 + 3 } else { 12 };
-        assert!((pixels..pixels + (1 << 20)).contains(&need), "{format}: {need}");
+        // Then rows, grid and scene.
+        let pixels = 800 * 600 * bytes;
+        assert!((pixels..pixels + (1 << 20)).contains(&need), "{format} {engine}: {need}");
         refused(&folder, &format!("{arguments} --memory-limit {}", need - 1), 3, &["800x600"]);
         folder.done(&format!("{arguments} --memory-limit {need}"));
     }

@@ -19,4 +19,4 @@ mod tile;
 mod vec3;
 
 pub use isa::Isa;
-pub use render::{Settings, StackFull, render};
+pub use render::{Settings, StackFull, render, render_levels};

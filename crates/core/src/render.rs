@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use catoptric_scene::{Compiled, Counts, Film, Grid};
+use catoptric_scene::{Compiled, Counts, Film, Grid, Quantiser};
 use rayon::prelude::*;
 
 use crate::Isa;
@@ -48,28 +48,76 @@ pub fn render(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Counts, StackFull> {
     assert_eq!((film.width(), film.height()), (grid.width, grid.height), "the film's size");
+    bands(scene, grid, film.pixels_mut(), settings, progress, |band, pixels| band.render(pixels))
+}
+
+/// Renders a view straight to 8-bit levels: those that `quantiser` gives for the film, which
+/// is never made.
+///
+/// Shape: `levels` holds the grid's pixels row by row from the top left. Otherwise as
+/// [`render`], with 96 bytes of memory a column and thread in place of the film.
+///
+/// # Errors
+/// As [`render`]; the levels are then void.
+///
+/// # Panics
+/// If there is not one place for each pixel.
+pub fn render_levels(
+    scene: &Compiled,
+    grid: &Grid,
+    quantiser: &Quantiser,
+    levels: &mut [[u8; 3]],
+    settings: Settings,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Counts, StackFull> {
+    assert_eq!(levels.len(), grid.width as usize * grid.height as usize, "a place for each pixel");
+    bands(scene, grid, levels, settings, progress, |band, levels| {
+        // Stays in the cache, where a film would not.
+        let mut linear = std::mem::take(&mut band.linear);
+        linear.resize(levels.len(), [0.0; 3]);
+        let rendered = band.render(&mut linear);
+        quantiser.levels(&linear, levels);
+        band.linear = linear;
+        rendered
+    })
+}
+
+/// Hands out bands of rows to rayon's threads; `render` fills the pixels of one.
+fn bands<P: Send>(
+    scene: &Compiled,
+    grid: &Grid,
+    pixels: &mut [P],
+    settings: Settings,
+    progress: &(dyn Fn(u64) + Sync),
+    render: impl Fn(&mut Band, &mut [P]) -> Result<(), TooDeep> + Sync,
+) -> Result<Counts, StackFull> {
     let budget = Budget::new(settings.stack_limit);
     let sights = Sights::new(scene);
     let full = AtomicBool::new(false);
-    let counts = film
-        .pixels_mut()
+    let band = || Band {
+        scene,
+        grid,
+        isa: settings.isa,
+        sights: &sights,
+        rows: &[],
+        stack: Stack::new(&budget),
+        eye: Vec::new(),
+        linear: Vec::new(),
+    };
+    let counts = pixels
         .par_chunks_mut(grid.width as usize * tile::HEIGHT)
         .zip(grid.rows.par_chunks(grid.samples as usize * tile::HEIGHT))
-        .map_init(
-            || (Stack::new(&budget), Vec::new()),
-            |(stack, eye), (pixels, rows)| {
-                if full.load(Ordering::Relaxed) {
-                    return Counts::default();
-                }
-                let done = pixels.len() as u64;
-                let mut band = Band { scene, sights: &sights, grid, rows, pixels, stack, eye };
-                if band.render(settings.isa).is_err() {
-                    full.store(true, Ordering::Relaxed);
-                }
-                progress(done);
-                stack.take_counts()
-            },
-        )
+        .map_init(band, |band, (pixels, rows)| {
+            if full.load(Ordering::Relaxed) {
+                return Counts::default();
+            }
+            band.rows = rows;
+            if render(band, pixels).is_err() {
+                full.store(true, Ordering::Relaxed);
+            }
+            progress(pixels.len() as u64);
+            band.stack.take_counts()
+        })
         .reduce(Counts::default, |mut sum, band| {
             sum.add(&band);
             sum
@@ -77,35 +125,39 @@ pub fn render(
     if full.into_inner() { Err(StackFull { limit: settings.stack_limit }) } else { Ok(counts) }
 }
 
-/// Tiles side by side: what one thread takes at a time.
-struct Band<'a, 'b> {
+/// Tiles side by side, what one thread takes at a time; and what it keeps from band to band.
+struct Band<'a> {
     scene: &'a Compiled,
-    sights: &'a Sights,
     grid: &'a Grid,
+    isa: Isa,
+    sights: &'a Sights,
+    /// Vertical positions of the band's sub-rows.
     rows: &'a [f32],
-    pixels: &'a mut [[f32; 3]],
-    stack: &'a mut Stack<'b>,
+    stack: Stack<'a>,
     /// Room for the candidates of a tile.
-    eye: &'a mut Vec<u32>,
+    eye: Vec<u32>,
+    /// Room for a band in linear light.
+    linear: Vec<[f32; 3]>,
 }
 
-impl Band<'_, '_> {
-    fn render(&mut self, isa: Isa) -> Result<(), TooDeep> {
+impl Band<'_> {
+    /// Fills the pixels of whole rows.
+    fn render(&mut self, pixels: &mut [[f32; 3]]) -> Result<(), TooDeep> {
         let (grid, samples) = (self.grid, self.grid.samples as usize);
         for (tile, columns) in grid.columns.chunks(tile::WIDTH * samples).enumerate() {
-            self.sights.candidates(&self.scene.eye, columns, self.rows, self.eye);
+            self.sights.candidates(&self.scene.eye, columns, self.rows, &mut self.eye);
             let tile = Tile {
                 scene: self.scene,
-                candidates: Candidates { eye: self.eye, mirrors: self.sights.all() },
+                candidates: Candidates { eye: &self.eye, mirrors: self.sights.all() },
                 samples,
                 columns,
                 rows: self.rows,
-                pixels: self.pixels,
+                pixels,
                 width: grid.width as usize,
                 left: tile * tile::WIDTH,
-                stack: self.stack,
+                stack: &mut self.stack,
             };
-            lanes::run(isa, tile)?;
+            lanes::run(self.isa, tile)?;
         }
         Ok(())
     }

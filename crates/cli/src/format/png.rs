@@ -3,21 +3,15 @@
 
 use std::io::{self, Cursor, Write};
 
-use catoptric_scene::{Film, Quantiser};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{
     DynamicImage, ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageReader, Limits,
 };
 
-use super::{Levels, Unreadable, levels};
+use super::{Levels, Unreadable};
 
-pub(super) fn write(film: Film, quantiser: &Quantiser, to: &mut dyn Write) -> io::Result<()> {
-    let (width, height) = (film.width(), film.height());
-    let mut bytes = vec![0; 3 * film.pixels().len()];
-    levels(film.pixels(), quantiser, &mut bytes);
-    // The encoder holds the whole compressed picture, up to another 3 bytes a pixel.
-    drop(film);
-    encode(&bytes, width, height, to)
+pub(super) fn write(levels: &Levels, to: &mut dyn Write) -> io::Result<()> {
+    encode(levels.pixels.as_flattened(), levels.width, levels.height, to)
 }
 
 /// Writes levels, three a pixel from the top left.

@@ -3,12 +3,13 @@
 use std::env;
 use std::time::{Duration, Instant};
 
-use catoptric_core::{Isa, Settings};
+use catoptric_core::{Isa, Settings, render_levels};
 use catoptric_reference::truth::{self, Truth};
-use catoptric_scene::{Compiled, Counts, Crop, Film, Grid, Scene, View};
+use catoptric_scene::{Compiled, Counts, Crop, Film, Grid, Quantiser, Scene, View};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::exit::Failure;
+use crate::format::{Levels, Picture};
 
 /// What traces the rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,18 +49,20 @@ impl Precision {
 
 /// How to render: all that is not the scene's.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tracing {
+pub(super) struct Tracing<'a> {
     pub(super) engine: Engine,
     pub(super) precision: Precision,
     pub(super) isa: Isa,
     pub(super) threads: usize,
     /// Bytes for the packet engine's stacks.
     pub(super) stack_limit: u64,
+    /// If the packet engine is to give no more than levels: how it makes them.
+    pub(super) levels: Option<&'a Quantiser>,
 }
 
 /// A picture and what it took.
 pub(super) struct Rendered {
-    pub(super) film: Film,
+    pub(super) picture: Picture,
     pub(super) counts: Counts,
     pub(super) compile: Duration,
     pub(super) trace: Duration,
@@ -88,7 +91,7 @@ pub(super) fn instruction_set() -> Result<Isa, Failure> {
     }
 }
 
-impl Tracing {
+impl Tracing<'_> {
     /// The threads that trace. A recursion's have stacks for its deepest path; those take
     /// memory only where they are used.
     ///
@@ -131,7 +134,8 @@ impl Tracing {
         let truth = Truth::new(scene, precision);
         let compile = start.elapsed();
         let (film, counts) = self.bands(&truth, scene, view, done)?;
-        Ok(Rendered { film, counts, compile, trace: start.elapsed() - compile })
+        let picture = Picture::Linear(film);
+        Ok(Rendered { picture, counts, compile, trace: start.elapsed() - compile })
     }
 
     fn render_f32(
@@ -144,26 +148,42 @@ impl Tracing {
         let compiled = Compiled::new(scene);
         let grid = Grid::new(view);
         let compile = start.elapsed();
-        let mut film = Film::new(view.crop().width, view.crop().height);
-        let traced =
-            match self.engine {
-                Engine::Packet => {
-                    let stack_limit = usize::try_from(self.stack_limit).unwrap_or(usize::MAX);
-                    let settings = Settings { isa: self.isa, stack_limit };
-                    catoptric_core::render(&compiled, &grid, &mut film, settings, done)
-                    .map_err(|full| Failure::failed(format_args!(
+        let (width, height) = (view.crop().width, view.crop().height);
+        let (picture, counts) = match self.engine {
+            Engine::Packet => {
+                let stack_limit = usize::try_from(self.stack_limit).unwrap_or(usize::MAX);
+                let settings = Settings { isa: self.isa, stack_limit };
+                let traced = match self.levels {
+                    Some(quantiser) => {
+                        let mut levels = Levels::new(width, height);
+                        let pixels = &mut levels.pixels;
+                        render_levels(&compiled, &grid, quantiser, pixels, settings, done)
+                            .map(|counts| (Picture::Levels(levels), counts))
+                    }
+                    None => {
+                        let mut film = Film::new(width, height);
+                        catoptric_core::render(&compiled, &grid, &mut film, settings, done)
+                            .map(|counts| (Picture::Linear(film), counts))
+                    }
+                };
+                traced.map_err(|full| {
+                    Failure::failed(format_args!(
                         "{full}: raise --memory-limit, lower --max-depth or raise --min-weight"
-                    )))
-                }
-                Engine::Recursive => catoptric_reference::render(&compiled, &grid, &mut film, done)
-                    .map_err(|deep| {
-                        Failure::failed(format_args!(
-                            "{deep}: lower --max-depth, raise --min-weight, or use --engine packet"
-                        ))
-                    }),
-            };
-        let counts = traced?;
-        Ok(Rendered { film, counts, compile, trace: start.elapsed() - compile })
+                    ))
+                })?
+            }
+            Engine::Recursive => {
+                let mut film = Film::new(width, height);
+                let traced = catoptric_reference::render(&compiled, &grid, &mut film, done);
+                let counts = traced.map_err(|deep| {
+                    Failure::failed(format_args!(
+                        "{deep}: lower --max-depth, raise --min-weight, or use --engine packet"
+                    ))
+                })?;
+                (Picture::Linear(film), counts)
+            }
+        };
+        Ok(Rendered { picture, counts, compile, trace: start.elapsed() - compile })
     }
 
     /// Truth, some rows at a time: its f64 picture is never there as a whole, and progress
