@@ -66,7 +66,7 @@ fn a_scene_that_may_not_be_read_is_3() {
     let folder = Folder::new();
     let secret = folder.path("secret.toml");
     folder.write("secret.toml", SCENE);
-    fs::set_permissions(&secret, Permissions::from_mode(0)).expect("permissions");
+    fs::set_permissions(&secret, Permissions::from_mode(0o000)).expect("permissions");
     if File::open(&secret).is_ok() {
         println!("skipped: permissions do not keep this user (root?) from reading");
         return;
