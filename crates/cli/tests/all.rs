@@ -6,6 +6,7 @@ mod elsewhere;
 mod examples;
 mod formats;
 mod generate;
+mod limits;
 mod numbers;
 mod outputs;
 mod program;

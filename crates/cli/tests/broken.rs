@@ -107,3 +107,28 @@ fn keys_that_do_not_fit_are_3() {
         refused(&folder, "render bad.toml -o out.png", 3, &[&["bad.toml:"], *parts].concat());
     }
 }
+
+/// Whatever fuzzing found worth keeping ends with 0 or 3, and scenes with one picture.
+#[test]
+fn the_fuzzer_s_corpus_has_one_picture_or_none() {
+    let corpus = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/fuzz/corpus/scene");
+    let folder = Folder::new();
+    let mut scenes = 0;
+    for file in fs::read_dir(corpus).expect("the corpus") {
+        let path = file.expect("an entry").path();
+        for name in ["a.toml", "a.json"] {
+            folder.write(name, fs::read(&path).expect("a file"));
+            let render = format!("render {name} --width 67 --height 9 --max-depth 8");
+            let ran = folder.run(&format!("{render} -o packet.pfm"));
+            if ran.code != Some(0) {
+                assert_eq!(ran.code, Some(3), "{}: {}", path.display(), ran.stderr);
+                continue;
+            }
+            scenes += 1;
+            folder.done(&format!("{render} -o recursive.pfm --engine recursive"));
+            let compared = folder.run("compare packet.pfm recursive.pfm");
+            assert_eq!(compared.code, Some(0), "{}: {}", path.display(), compared.text());
+        }
+    }
+    assert!(scenes >= 10, "{scenes} of them are scenes");
+}

@@ -1,10 +1,9 @@
 //! What other ray tracers are known to get wrong, one test each.
 
-use std::process::Command;
 use std::thread::sleep;
 use std::time::Duration;
 
-use crate::program::{CATOPTRIC, ENGINES, Folder, Ran, SCENE};
+use crate::program::{ENGINES, Folder, SCENE};
 use crate::refusals::{MIRROR_ROOM, refused};
 
 /// One has a cap of 256, another fixes 5 when it is compiled, a third crashes past 10 000.
@@ -87,20 +86,6 @@ fn an_unwritable_output_does_not_exit_0() {
     }
 }
 
-/// Runs a line of shell in which `catoptric` is the program.
-fn shell(folder: &Folder, line: &str) -> Ran {
-    let output = Command::new("sh")
-        .args(["-c", &line.replace("catoptric", CATOPTRIC)])
-        .current_dir(folder.path("."))
-        .output()
-        .expect("a shell");
-    Ran {
-        code: output.status.code(),
-        stdout: output.stdout,
-        stderr: String::from_utf8_lossy(&output.stderr).into_owned(),
-    }
-}
-
 /// Files may not grow past some kilobytes, which fails a write as a full disk does.
 #[test]
 fn a_full_disk_does_not_exit_0() {
@@ -109,7 +94,7 @@ fn a_full_disk_does_not_exit_0() {
     let before = folder.contents();
     for output in ["out.png", "out.ppm", "out.pfm", "there.ppm"] {
         let command = format!("catoptric render scene.toml --width 640 --height 480 -o {output}");
-        let ran = shell(&folder, &format!("trap '' XFSZ; ulimit -f 2; {command}"));
+        let ran = folder.shell(&format!("trap '' XFSZ; ulimit -f 2; {command}"));
         assert_eq!(ran.code, Some(4), "{output}: {}", ran.stderr);
         assert!(ran.stderr.contains(&format!("{output} cannot be written")), "{}", ran.stderr);
         assert_eq!(folder.contents(), before, "{output}");
@@ -147,19 +132,5 @@ fn bits_are_equal_over_instruction_sets() {
             assert_eq!(ran.code, Some(0), "{}", ran.stderr);
         }
         assert_eq!(folder.read("portable.pfm"), folder.read("avx2.pfm"), "{numerics}");
-    }
-}
-
-/// An address space far too small for the largest picture: it is refused before it is taken.
-#[test]
-fn too_large_a_picture_is_refused_before_memory_is_taken() {
-    let folder = Folder::new();
-    let before = folder.contents();
-    let largest = "catoptric render scene.toml -o out.png --width 65535 --height 65535";
-    for (limit, words) in [("2GiB", "--memory-limit"), ("1000GiB", "does not grant")] {
-        let ran = shell(&folder, &format!("ulimit -v 1000000; {largest} --memory-limit {limit}"));
-        assert_eq!(ran.code, Some(3), "{limit}: {}", ran.stderr);
-        assert!(ran.stderr.contains(words) && ran.stderr.contains("--crop"), "{}", ran.stderr);
-        assert_eq!(folder.contents(), before);
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
+use std::process::Command;
 use std::time::Duration;
 
 use catoptric_reference::render;
@@ -129,6 +130,20 @@ impl Folder {
             .timeout(Duration::from_secs(120))
             .output()
             .expect("the program runs");
+        Ran {
+            code: output.status.code(),
+            stdout: output.stdout,
+            stderr: String::from_utf8(output.stderr).expect("messages are text"),
+        }
+    }
+
+    /// Runs a line of shell in which `catoptric` is the program.
+    pub(crate) fn shell(&self, line: &str) -> Ran {
+        let output = Command::new("sh")
+            .args(["-c", &line.replace("catoptric", CATOPTRIC)])
+            .current_dir(self.folder.path())
+            .output()
+            .expect("a shell");
         Ran {
             code: output.status.code(),
             stdout: output.stdout,

@@ -58,6 +58,11 @@ fn wrong_use_is_2() {
         ("render scene.toml --samples 257", &["--samples", "257", "from 1 to 256"]),
         ("render scene.toml --threads 0", &["--threads", "0", "from 1 to 1024"]),
         ("render scene.toml --threads 1025", &["--threads", "1025", "from 1 to 1024"]),
+        ("render scene.toml --threads 99999999999", &["--threads", "from 1 to 1024"]),
+        ("render scene.toml --threads two", &["--threads", "two", "from 1 to 1024"]),
+        ("render scene.toml --max-depth 1.5", &["--max-depth", "1.5", "whole number from 0 to"]),
+        ("render scene.toml --crop 4294967296,0,1,1", &["--crop", "4294967296", "X,Y,W,H"]),
+        ("render scene.toml --crop 13,0,1,1", &["13,0,1,1", "13x7", "X + W <= 13"]),
         ("render scene.toml --threads -2", &["--threads", "-2", "from 1 to 1024"]),
         ("render scene.toml --memory-limit 0", &["--memory-limit", "above 0", "GiB"]),
         ("render scene.toml --memory-limit 2T", &["--memory-limit", "2T", "GiB"]),
@@ -140,6 +145,9 @@ fn a_bad_scene_is_3() {
         refused(&folder, &format!("render {scene} -o out.png"), 3, parts);
     }
     refused_with(&folder, "render - -o out.png", "", &[], 3, &["<stdin>"]);
+    // What stands above the scene is held to the scene's ranges.
+    let heavy = "render scene.toml --min-weight 1e39";
+    refused(&folder, heavy, 3, &["render.min_weight", "found 1e39", "not in the file"]);
     refused_with(&folder, "render - -o out.png", "{ \"x\": 1 }", &[], 3, &["<stdin>", "x"]);
 }
 

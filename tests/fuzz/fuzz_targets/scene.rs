@@ -3,23 +3,44 @@
 
 #![no_main]
 
+#[path = "../numbers.rs"]
+mod numbers;
+
 use std::sync::LazyLock;
 
 use catoptric_core::{Isa, Settings};
 use catoptric_scene::{
     Compiled, Counts, Document, Film, Grid, Numerics, Scene, SceneError, SceneFormat, View,
 };
-use libfuzzer_sys::fuzz_target;
+use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 fuzz_target!(|bytes: &[u8]| {
     for format in [SceneFormat::Toml, SceneFormat::Json] {
         match Document::parse("fuzz", bytes, format).and_then(Document::into_scene) {
-            Ok(scene) => accepted(&scene),
+            Ok(scene) => accepted(&scene, size(bytes)),
             Err(error) => refused(&error, bytes),
         }
     }
 });
+
+// Bytes changed at random seldom leave a scene; every second time a number is changed instead.
+fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
+    let changed = if seed.is_multiple_of(2) { None } else { numbers::change(&data[..size], seed) };
+    match changed {
+        Some(text) if text.len() <= max_size => {
+            data[..text.len()].copy_from_slice(text.as_bytes());
+            text.len()
+        }
+        _ => fuzzer_mutate(data, size, max_size),
+    }
+});
+
+/// Columns and rows to render: few; for one input in sixteen more than a tile of 64 x 8, since
+/// the engine decides by tile which primitives its eye rays try.
+fn size(bytes: &[u8]) -> (u32, u32) {
+    if bytes.len().is_multiple_of(16) { (67, 9) } else { (3, 2) }
+}
 
 /// A message names the file, and a place is a place of the text.
 fn refused(error: &SceneError, bytes: &[u8]) {
@@ -32,7 +53,7 @@ fn refused(error: &SceneError, bytes: &[u8]) {
     }
 }
 
-fn accepted(scene: &Scene) {
+fn accepted(scene: &Scene, size: (u32, u32)) {
     for format in [SceneFormat::Toml, SceneFormat::Json] {
         let text = scene.to_text(format);
         let again = Document::parse("written", text.as_bytes(), format)
@@ -44,20 +65,20 @@ fn accepted(scene: &Scene) {
     // Compiles whatever the size of the picture is.
     let _ = Compiled::new(scene);
     for numerics in [Numerics::Robust, Numerics::Textbook] {
-        if let Some(small) = small(scene, numerics) {
+        if let Some(small) = small(scene, numerics, size) {
             agree(&small);
         }
     }
 }
 
-/// The scene as 3 x 2 pixels and few mirrors; `None` where it has many bodies, or a field of
+/// The scene with few pixels and few mirrors; `None` where it has many bodies, or a field of
 /// view that is too extreme for these proportions.
-fn small(scene: &Scene, numerics: Numerics) -> Option<Scene> {
+fn small(scene: &Scene, numerics: Numerics, size: (u32, u32)) -> Option<Scene> {
     let mut draft = scene.clone().into_draft();
     if draft.spheres.len() + draft.planes.len() + draft.lights.len() > 100 {
         return None;
     }
-    (draft.image.width, draft.image.height) = (3, 2);
+    (draft.image.width, draft.image.height) = size;
     draft.render.max_depth = draft.render.max_depth.min(8);
     draft.render.numerics = numerics;
     Scene::new(draft).ok()
