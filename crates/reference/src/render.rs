@@ -49,9 +49,13 @@ pub fn render(
             let mut tracer = Tracer { scene, counts: Counts::default(), too_deep: false };
             let columns = grid.columns.chunks(grid.samples as usize);
             for (pixel, columns) in pixels.iter_mut().zip(columns) {
+                // The film is void; the rest of it could take hours.
+                if too_deep.load(Ordering::Relaxed) {
+                    break;
+                }
                 *pixel = tracer.pixel(columns, rows).to_array();
+                too_deep.fetch_or(tracer.too_deep, Ordering::Relaxed);
             }
-            too_deep.fetch_or(tracer.too_deep, Ordering::Relaxed);
             progress(pixels.len() as u64);
             tracer.counts
         })
