@@ -2,12 +2,11 @@
 
 use std::fmt;
 use std::hint::black_box;
-use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 use catoptric_core::{Isa, Settings};
 use catoptric_scene::Film;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use catoptric_tests::identity::pool;
 
 use crate::subject::Subject;
 
@@ -28,17 +27,6 @@ pub struct Runner {
     /// 1 or 2.
     pub threads: usize,
 }
-
-/// Threads are started once, with stacks that hold the recursion's deepest path.
-static POOLS: LazyLock<[ThreadPool; 2]> = LazyLock::new(|| {
-    [1, 2].map(|threads| {
-        ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .stack_size(catoptric_reference::STACK_BYTES)
-            .build()
-            .expect("threads can be started")
-    })
-});
 
 /// More than any bench needs.
 const STACK_LIMIT: usize = 1 << 30;
@@ -66,7 +54,7 @@ impl Runner {
     /// If the film is of another size, or a path is too deep for the tracer.
     #[must_use]
     pub fn time(self, subject: &Subject, film: &mut Film, times: u64) -> Duration {
-        POOLS[self.threads - 1].install(|| {
+        pool(self.threads).install(|| {
             let start = Instant::now();
             for _ in 0..times {
                 self.render(subject, black_box(&mut *film));

@@ -28,16 +28,23 @@ pub fn backends() -> Vec<Backend> {
     isas.flat_map(|isa| [1, 2].map(|threads| Backend { isa, threads })).collect()
 }
 
-/// One and two threads; the recursion needs their large stacks.
-static POOLS: LazyLock<[ThreadPool; 2]> = LazyLock::new(|| {
-    [1, 2].map(|threads| {
-        ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .stack_size(catoptric_reference::STACK_BYTES)
-            .build()
-            .expect("threads can be started")
-    })
-});
+/// One or two threads, started once, with stacks that hold the recursion's deepest path.
+///
+/// # Panics
+/// For another number, or if they cannot be started.
+#[must_use]
+pub fn pool(threads: usize) -> &'static ThreadPool {
+    static POOLS: LazyLock<[ThreadPool; 2]> = LazyLock::new(|| {
+        [1, 2].map(|threads| {
+            ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .stack_size(catoptric_reference::STACK_BYTES)
+                .build()
+                .expect("threads can be started")
+        })
+    });
+    &POOLS[threads - 1]
+}
 
 /// A rendering by the recursion.
 ///
@@ -46,7 +53,7 @@ static POOLS: LazyLock<[ThreadPool; 2]> = LazyLock::new(|| {
 #[must_use]
 pub fn recursive(scene: &Compiled, grid: &Grid) -> (Film, Counts) {
     let mut film = Film::new(grid.width, grid.height);
-    let counts = POOLS[1].install(|| catoptric_reference::render(scene, grid, &mut film, &|_| ()));
+    let counts = pool(2).install(|| catoptric_reference::render(scene, grid, &mut film, &|_| ()));
     (film, counts.expect("the recursion's stack holds the path"))
 }
 
@@ -58,7 +65,7 @@ pub fn recursive(scene: &Compiled, grid: &Grid) -> (Film, Counts) {
 pub fn packets(scene: &Compiled, grid: &Grid, backend: Backend) -> (Film, Counts) {
     let mut film = Film::new(grid.width, grid.height);
     let settings = Settings { isa: backend.isa, stack_limit: 8 << 30 };
-    let pool = &POOLS[backend.threads - 1];
+    let pool = pool(backend.threads);
     let counts = pool.install(|| catoptric_core::render(scene, grid, &mut film, settings, &|_| ()));
     (film, counts.expect("the engine's stack holds the path"))
 }
@@ -76,7 +83,7 @@ pub fn packet_levels(
 ) -> Vec<[u8; 3]> {
     let mut levels = vec![[0; 3]; grid.width as usize * grid.height as usize];
     let settings = Settings { isa: backend.isa, stack_limit: 8 << 30 };
-    let pool = &POOLS[backend.threads - 1];
+    let pool = pool(backend.threads);
     let rendered = pool.install(|| {
         render_levels(scene, grid, quantiser, &mut levels, settings, &|_| ()).map(|_| ())
     });

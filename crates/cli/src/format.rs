@@ -54,8 +54,7 @@ impl Format {
         match (self, from_film) {
             // The levels, while the film is still there. The compressed picture comes when
             // the film is gone, and is smaller than that.
-            (Self::Png, true) => pixels * (12 + 3),
-            (Self::Ppm, true) => pixels * (12 + 3),
+            (Self::Png | Self::Ppm, true) => pixels * (12 + 3),
             // The compressed picture may be a little larger than the levels.
             (Self::Png, false) => pixels * (3 + 4),
             (Self::Ppm, false) => pixels * 3,
