@@ -71,6 +71,55 @@ pub fn rim(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = Sce
     )
 }
 
+/// A ball before a lamp, and another one at the rim of the shadow's way to it, the two on a
+/// sphere so large that it curves the horizon: where bounds on what hides a lamp are tight.
+pub fn eclipse(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = Scene> {
+    let off = prop_oneof![
+        2 => Just(0.0),
+        3 => (-7.0..-1.0, any::<bool>()).prop_map(|(e, sign): (f64, bool)| {
+            if sign { 10f64.powf(e) } else { -10f64.powf(e) }
+        }),
+    ];
+    let radii = ((-1.0..1.0f64), (-1.5..1.0f64)).prop_map(|(a, b)| (10f64.powf(a), 10f64.powf(b)));
+    // Its radius over the ball's, and perhaps a lamp low over it, about where the ball's horizon is.
+    let low = prop_oneof![Just(None), (0.3..2.0f64, -3.0..0.0f64).prop_map(Some)];
+    let ground = prop_oneof![1 => Just(None), 3 => (1.2..4.0f64, low).prop_map(|(e, l)| Some((10f64.powf(e), l)))];
+    (size, radii, direction(), direction(), 0.02..1.2f64, 3.0..100.0f64, off, ground).prop_map(
+        |((width, height), (radius, other), way, aside, share, far, off, ground)| {
+            let mut draft = Draft::default();
+            (draft.image.width, draft.image.height) = (width, height);
+            draft.render.max_depth = 2;
+            let mut material = Material::matt([0.8; 3]);
+            material.reflect = Some(0.5);
+            let center = [0.0, 0.0, -6.0 * radius];
+            let mut lamp = along(center, way, radius * (1.0 + far));
+            draft.spheres.push(Sphere { center, radius, material });
+            // Across the way, off the axis by what the cone from the lamp is wide there.
+            let dot: f64 = (0..3).map(|i| way[i] * aside[i]).sum();
+            let across: [f64; 3] = std::array::from_fn(|i| aside[i] - dot * way[i]);
+            let length = distance(across, [0.0; 3]);
+            if length > 1e-3 {
+                let reach = radius * (1.0 + far);
+                let wide = radius * (1.0 - share).abs() + other;
+                let at = along(center, way, share * reach);
+                let center = along(at, across.map(|x| x / length), wide * (1.0 + off));
+                draft.spheres.push(Sphere { center, radius: other, material });
+            }
+            if let Some((ground, low)) = ground {
+                let center = along(center, [0.0, -1.0, 0.0], radius + ground * radius);
+                draft.spheres.push(Sphere { center, radius: ground * radius, material });
+                if let Some((share, height)) = low {
+                    let (sin, cos) = (share * (4.0 / ground).sqrt()).sin_cos();
+                    let height = radius * (ground + 10f64.powf(height));
+                    lamp = along(center, [sin, cos, 0.0], height);
+                }
+            }
+            draft.lights.push(Light { position: lamp, intensity: [1.0; 3] });
+            Scene::new(draft).expect("generated scenes are valid")
+        },
+    )
+}
+
 type Things =
     (Vec<(Place, f64, Material)>, Vec<([f64; 3], [f64; 3], Material)>, Vec<([f64; 3], [f64; 3])>);
 type Eye = ([f64; 3], [f64; 3], f64, prop::sample::Index);

@@ -1,14 +1,15 @@
 //! The test that equates the recursion and the engine.
 //!
 //! A picture is rendered by the recursion, then by every backend of the engine, and compared
-//! as bits, with the ray counts of every depth. There is no tolerance. A NaN equals a NaN,
-//! whatever its payload, which no processor promises.
+//! as bits, with the ray counts of every depth; once in f32 and once in f64. There is no
+//! tolerance. A NaN equals a NaN, whatever its payload, which no processor promises.
 
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-use catoptric_core::{Isa, Settings, render_levels};
+use catoptric_core::{Isa, PacketScalar, Settings, render_levels};
+use catoptric_reference::TooDeep;
 use catoptric_scene::{Compiled, Counts, Film, Grid, Quantiser, Scene, SceneFormat, View};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -20,6 +21,50 @@ pub struct Backend {
     /// How many threads.
     pub threads: usize,
 }
+
+/// A scalar in which the two are compared.
+pub trait Real: PacketScalar {
+    /// Renders by the recursion in this scalar.
+    ///
+    /// # Errors
+    /// As [`catoptric_reference::render`].
+    fn recursion(
+        scene: &Compiled<Self>,
+        grid: &Grid<Self>,
+        film: &mut Film<Self>,
+    ) -> Result<Counts, TooDeep>;
+
+    /// Its bit pattern.
+    fn bits(self) -> u64;
+
+    /// The bit pattern without its sign: grows by 1 from each positive number to the next.
+    fn magnitude(self) -> u64;
+}
+
+macro_rules! real {
+    ($scalar:ty, $render:path) => {
+        impl Real for $scalar {
+            fn recursion(
+                scene: &Compiled<Self>,
+                grid: &Grid<Self>,
+                film: &mut Film<Self>,
+            ) -> Result<Counts, TooDeep> {
+                $render(scene, grid, film, &|_| ())
+            }
+
+            fn bits(self) -> u64 {
+                self.to_bits().into()
+            }
+
+            fn magnitude(self) -> u64 {
+                self.abs().to_bits().into()
+            }
+        }
+    };
+}
+
+real!(f32, catoptric_reference::render);
+real!(f64, catoptric_reference::double::render);
 
 /// Every backend that this processor can run.
 #[must_use]
@@ -51,9 +96,9 @@ pub fn pool(threads: usize) -> &'static ThreadPool {
 /// # Panics
 /// If a path is too deep for it.
 #[must_use]
-pub fn recursive(scene: &Compiled, grid: &Grid) -> (Film, Counts) {
-    let mut film = Film::new(grid.width, grid.height);
-    let counts = pool(2).install(|| catoptric_reference::render(scene, grid, &mut film, &|_| ()));
+pub fn recursive<S: Real>(scene: &Compiled<S>, grid: &Grid<S>) -> (Film<S>, Counts) {
+    let mut film = Film::black(grid.width, grid.height);
+    let counts = pool(2).install(|| S::recursion(scene, grid, &mut film));
     (film, counts.expect("the recursion's stack holds the path"))
 }
 
@@ -62,8 +107,12 @@ pub fn recursive(scene: &Compiled, grid: &Grid) -> (Film, Counts) {
 /// # Panics
 /// If its stack passes 8 GiB.
 #[must_use]
-pub fn packets(scene: &Compiled, grid: &Grid, backend: Backend) -> (Film, Counts) {
-    let mut film = Film::new(grid.width, grid.height);
+pub fn packets<S: Real>(
+    scene: &Compiled<S>,
+    grid: &Grid<S>,
+    backend: Backend,
+) -> (Film<S>, Counts) {
+    let mut film = Film::black(grid.width, grid.height);
     let settings = Settings { isa: backend.isa, stack_limit: 8 << 30 };
     let pool = pool(backend.threads);
     let counts = pool.install(|| catoptric_core::render(scene, grid, &mut film, settings, &|_| ()));
@@ -91,19 +140,23 @@ pub fn packet_levels(
     levels
 }
 
-/// Renders a view both ways on every backend.
+/// Renders a view both ways on every backend, in f32 and in f64.
 ///
 /// # Errors
-/// What differs: scene, view, backend, the first pixel with both values as bits and their
+/// What differs: scene, scalar, view, backend, the first pixel with both values as bits and their
 /// distance in ulps, how many pixels, the counts, and where a picture of the differences lies.
 pub fn check(name: &str, scene: &Scene, view: &View) -> Result<(), String> {
-    let compiled = Compiled::new(scene);
-    let grid = Grid::new(view);
+    check_in::<f32>(name, scene, view)?;
+    check_in::<f64>(name, scene, view)
+}
+
+fn check_in<S: Real>(name: &str, scene: &Scene, view: &View) -> Result<(), String> {
+    let compiled = Compiled::<S>::of(scene);
+    let grid = Grid::of(view);
     let expected = recursive(&compiled, &grid);
     for backend in backends() {
         let found = packets(&compiled, &grid, backend);
-        let mut report = String::new();
-        describe_pixels(&mut report, &expected.0, &found.0);
+        let mut report = different_pixels(&expected.0, &found.0).unwrap_or_default();
         if expected.1 != found.1 {
             let _ = writeln!(report, "recursion counted {:?}", expected.1);
             let _ = writeln!(report, "engine counted    {:?}", found.1);
@@ -112,7 +165,8 @@ pub fn check(name: &str, scene: &Scene, view: &View) -> Result<(), String> {
             let picture = difference_picture(name, &expected.0, &found.0);
             let text = scene.to_text(SceneFormat::Toml);
             return Err(format!(
-                "{name} differs, {backend:?}, {view:?}\n{report}differences: {}\n{text}",
+                "{name} in {} differs, {backend:?}, {view:?}\n{report}differences: {}\n{text}",
+                std::any::type_name::<S>(),
                 picture.display()
             ));
         }
@@ -131,38 +185,42 @@ pub fn assert_identical(name: &str, scene: &Scene) {
 }
 
 /// Whether two values are the same picture: equal bits, or both NaN.
-fn same(a: f32, b: f32) -> bool {
-    a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
+fn same<S: Real>(a: S, b: S) -> bool {
+    a.bits() == b.bits() || (a.to_f64().is_nan() && b.to_f64().is_nan())
 }
 
-fn differs(a: [f32; 3], b: [f32; 3]) -> bool {
+fn differs<S: Real>(a: [S; 3], b: [S; 3]) -> bool {
     !a.into_iter().zip(b).all(|(a, b)| same(a, b))
 }
 
-fn describe_pixels(report: &mut String, expected: &Film, found: &Film) {
+/// What differs between two pictures of one size: the first pixel with both values as bits
+/// and their distance in ulps, and how many pixels.
+#[must_use]
+pub fn different_pixels<S: Real>(expected: &Film<S>, found: &Film<S>) -> Option<String> {
     let pairs = expected.pixels().iter().zip(found.pixels()).enumerate();
     let mut different = pairs.filter(|(_, (a, b))| differs(**a, **b)).peekable();
-    let Some(&(first, (a, b))) = different.peek() else {
-        return;
-    };
+    let &(first, (a, b)) = different.peek()?;
     let width = expected.width() as usize;
-    let _ = writeln!(report, "first at pixel ({}, {})", first % width, first / width);
+    let mut report = format!("first at pixel ({}, {})\n", first % width, first / width);
     for (channel, (a, b)) in ["red", "green", "blue"].iter().zip(a.iter().zip(b)) {
-        let (x, y) = (a.to_bits(), b.to_bits());
+        let (x, y, digits) = (a.bits(), b.bits(), 2 * size_of::<S>());
         let ulps = ordered(*a).abs_diff(ordered(*b));
-        let _ = writeln!(report, "{channel:5} {a:e} ({x:08x}), {b:e} ({y:08x}): {ulps} ulps");
+        let _ = write!(report, "{channel:5} {a:?} ({x:0digits$x}), ");
+        let _ = writeln!(report, "{b:?} ({y:0digits$x}): {ulps} ulps");
     }
     let _ = writeln!(report, "{} pixels of {}", different.count(), expected.pixels().len());
+    Some(report)
 }
 
-/// A number that grows by 1 from each f32 to the next.
-fn ordered(x: f32) -> i64 {
-    let magnitude = i64::from(x.to_bits() & 0x7fff_ffff);
-    if x.is_sign_negative() { -magnitude } else { magnitude }
+/// A number that grows by 1 from each scalar to the next.
+fn ordered<S: Real>(x: S) -> i64 {
+    let (bits, magnitude) = (x.bits(), x.magnitude());
+    let from_zero = magnitude.cast_signed();
+    if bits == magnitude { from_zero } else { -from_zero }
 }
 
 /// Writes a picture with every differing pixel in white. The name is made safe for a file.
-fn difference_picture(name: &str, expected: &Film, found: &Film) -> PathBuf {
+fn difference_picture<S: Real>(name: &str, expected: &Film<S>, found: &Film<S>) -> PathBuf {
     let safe = name.replace(|c: char| !c.is_ascii_alphanumeric(), "-");
     let path = std::env::temp_dir().join(format!("catoptric-difference-{safe}.png"));
     let pairs = expected.pixels().iter().zip(found.pixels());

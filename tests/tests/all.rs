@@ -4,4 +4,5 @@ mod deep;
 mod house;
 mod identity;
 mod kernel;
+mod plan;
 mod planted;

@@ -1,7 +1,11 @@
-//! The recursion and the engine give the same bits.
+//! The recursion and the engine give the same bits, in f32 and in f64.
 
-use catoptric_scene::{Compiled, Crop, Grid, Material, Numerics, Quantiser, Scene, Transfer, View};
-use catoptric_tests::identity::{assert_identical, backends, check, packet_levels, recursive};
+use catoptric_scene::{
+    Compiled, Counts, Crop, Film, Grid, Material, Numerics, Quantiser, Scene, Transfer, View,
+};
+use catoptric_tests::identity::{
+    Real, assert_identical, backends, check, packet_levels, recursive,
+};
 use catoptric_tests::{generate, scenes};
 use proptest::prelude::*;
 
@@ -111,9 +115,13 @@ fn coincident_surfaces_show_the_first() {
         let once = scenes::sized(&draft, 60, 40, 40);
         let twice = scenes::sized(&doubled, 60, 40, 40);
         assert_identical(&format!("{name} twice"), &twice);
-        let picture = |scene| recursive(&Compiled::new(scene), &Grid::new(&View::whole(scene)));
-        assert_eq!(picture(&once), picture(&twice), "{name}");
+        assert_eq!(picture::<f32>(&once), picture::<f32>(&twice), "{name}");
+        assert_eq!(picture::<f64>(&once), picture::<f64>(&twice), "{name}");
     }
+}
+
+fn picture<S: Real>(scene: &Scene) -> (Film<S>, Counts) {
+    recursive(&Compiled::of(scene), &Grid::of(&View::whole(scene)))
 }
 
 proptest! {
@@ -134,6 +142,11 @@ proptest! {
 
     #[test]
     fn generated_rims(scene in generate::rim((1u32..=260, 1u32..=24))) {
+        same(&scene, 1)?;
+    }
+
+    #[test]
+    fn generated_eclipses(scene in generate::eclipse((1u32..=70, 1u32..=40))) {
         same(&scene, 1)?;
     }
 

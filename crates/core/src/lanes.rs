@@ -1,4 +1,4 @@
-//! Eight f32 side by side, on each instruction set.
+//! Eight f32 or f64 side by side, on each instruction set.
 //!
 //! `wide` chooses its instructions when it is compiled, which for a plain build is SSE2. So
 //! the kernels are written once over [`Lanes`] and compiled twice: over `wide`'s own
@@ -15,20 +15,35 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
-use wide::{f32x8, i32x8};
+use catoptric_scene::Scalar;
+use wide::{f32x8, f64x8, i32x8, i64x8};
 
 use crate::Isa;
+use crate::power::Bits;
 
 /// How many rays a packet holds.
 pub(crate) const LANES: usize = 8;
 
-/// Eight f32. Lane i is element i of [`Lanes::to_array`].
+/// A scalar that lanes hold, and on which lanes it runs.
+pub(crate) trait Lane: Scalar + Bits {
+    type Portable: Lanes<Scalar = Self>;
+    #[cfg(target_arch = "x86_64")]
+    type Avx2: Lanes<Scalar = Self>;
+
+    /// An index as bits. In f64 the upper half repeats the sign, so that `u32::MAX` is all ones.
+    fn from_index(i: u32) -> Self;
+    fn to_index(self) -> u32;
+}
+
+/// Eight scalars. Lane i is element i of [`Lanes::to_array`].
 pub(crate) trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    fn splat(x: f32) -> Self;
-    fn from_array(x: [f32; LANES]) -> Self;
-    fn to_array(self) -> [f32; LANES];
+    type Scalar: Lane;
+
+    fn splat(x: Self::Scalar) -> Self;
+    fn from_array(x: [Self::Scalar; LANES]) -> Self;
+    fn to_array(self) -> [Self::Scalar; LANES];
     /// NaN for a negative lane.
     fn sqrt(self) -> Self;
     fn lt(self, other: Self) -> Mask<Self>;
@@ -46,22 +61,49 @@ pub(crate) trait Lanes:
     /// The sign bit of lane i as bit i.
     fn signs(self) -> u32;
 
+    /// A number of the formulas.
+    #[inline(always)]
+    fn constant(x: f64) -> Self {
+        Self::splat(Scalar::rounded(x))
+    }
+
+    /// The lesser of each two; either if one is NaN. For bounds, never for the picture.
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        self.lt(other).select(self, other)
+    }
+
+    /// The greater of each two; either if one is NaN. For bounds, never for the picture.
+    #[inline(always)]
+    fn most(self, other: Self) -> Self {
+        self.gt(other).select(self, other)
+    }
+
+    /// Lane i of the three as element i.
+    #[inline(always)]
+    fn interleave(x: Self, y: Self, z: Self, to: &mut [[Self::Scalar; 3]; LANES]) {
+        let (x, y, z) = (x.to_array(), y.to_array(), z.to_array());
+        for i in 0..LANES {
+            to[i] = [x[i], y[i], z[i]];
+        }
+    }
+
     /// Lanes that hold an index.
     #[inline(always)]
     fn index(i: u32) -> Self {
-        Self::splat(f32::from_bits(i))
+        Self::splat(Lane::from_index(i))
     }
 
     /// max(0, x), with +0 for NaN and for -0.
     #[inline(always)]
     fn positive(self) -> Self {
-        self.gt(Self::splat(0.0)).keep(self)
+        self.gt(Self::constant(0.0)).keep(self)
     }
 
     /// max(0, x) with NaN and -0 kept.
     #[inline(always)]
     fn not_behind(self) -> Self {
-        self.lt(Self::splat(0.0)).drop(self)
+        self.lt(Self::constant(0.0)).drop(self)
     }
 }
 
@@ -72,17 +114,22 @@ pub(crate) struct Mask<L>(L);
 impl<L: Lanes> Mask<L> {
     #[inline(always)]
     pub(crate) fn none() -> Self {
-        Self(L::splat(0.0))
+        Self(L::constant(0.0))
+    }
+
+    #[inline(always)]
+    pub(crate) fn every() -> Self {
+        Self(L::index(u32::MAX))
     }
 
     /// True in the first `n` lanes.
     #[inline(always)]
     pub(crate) fn first(n: usize) -> Self {
-        let mut lanes = [0.0; LANES];
-        for (i, lane) in lanes.iter_mut().enumerate() {
-            *lane = f32::from_bits(if i < n { u32::MAX } else { 0 });
+        let mut lane = [L::Scalar::ZERO; LANES];
+        for (i, lane) in lane.iter_mut().enumerate() {
+            *lane = Scalar::rounded(i as f64);
         }
-        Self(L::from_array(lanes))
+        L::from_array(lane).lt(L::constant(n as f64))
     }
 
     /// Lane i as bit i.
@@ -94,6 +141,11 @@ impl<L: Lanes> Mask<L> {
     #[inline(always)]
     pub(crate) fn any(self) -> bool {
         self.bits() != 0
+    }
+
+    #[inline(always)]
+    pub(crate) fn all(self) -> bool {
+        self.bits() == (1 << LANES) - 1
     }
 
     #[inline(always)]
@@ -144,9 +196,10 @@ impl<L: Lanes> BitOr for Mask<L> {
 
 /// Work that is written over [`Lanes`].
 pub(crate) trait Kernel {
+    type Scalar: Lane;
     type Output;
     /// Must be `#[inline(always)]`, with all that it calls.
-    fn run<L: Lanes>(self) -> Self::Output;
+    fn run<L: Lanes<Scalar = Self::Scalar>>(self) -> Self::Output;
 }
 
 /// Runs a kernel on an instruction set, lowered to what the processor has.
@@ -163,101 +216,143 @@ pub(crate) fn run<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
 
 #[inline(never)]
 fn run_portable<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run::<Portable>()
+    kernel.run::<<K::Scalar as Lane>::Portable>()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 #[target_feature(enable = "avx2,bmi1,bmi2,popcnt,lzcnt")]
 fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run::<avx2::Avx2>()
+    kernel.run::<<K::Scalar as Lane>::Avx2>()
+}
+
+impl Lane for f32 {
+    type Portable = Portable<f32x8>;
+    #[cfg(target_arch = "x86_64")]
+    type Avx2 = avx2::Avx2<std::arch::x86_64::__m256>;
+
+    #[inline(always)]
+    fn from_index(i: u32) -> Self {
+        Self::from_bits(i)
+    }
+    #[inline(always)]
+    fn to_index(self) -> u32 {
+        self.to_bits()
+    }
+}
+
+impl Lane for f64 {
+    type Portable = Portable<f64x8>;
+    #[cfg(target_arch = "x86_64")]
+    type Avx2 = avx2::Avx2<[std::arch::x86_64::__m256d; 2]>;
+
+    #[inline(always)]
+    fn from_index(i: u32) -> Self {
+        Self::from_bits(i64::from(i.cast_signed()).cast_unsigned())
+    }
+    #[inline(always)]
+    #[expect(clippy::cast_possible_truncation, reason = "the upper half repeats the sign")]
+    fn to_index(self) -> u32 {
+        self.to_bits() as u32
+    }
 }
 
 /// `wide`'s own operations.
 #[derive(Clone, Copy)]
-struct Portable(f32x8);
+pub(crate) struct Portable<V>(V);
 
 /// One line an operation of two operands.
 macro_rules! binary {
-    ($lanes:ident: $($trait:ident $method:ident $op:expr),* $(,)?) => {$(
+    ($lanes:ty: $($trait:ident $method:ident |$a:ident, $b:ident| $op:expr),* $(,)?) => {$(
         impl $trait for $lanes {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                Self($op(self.0, other.0))
+                let ($a, $b) = (self.0, other.0);
+                Self($op)
             }
         }
     )*};
 }
 
-binary!(Portable: Add add Add::add, Sub sub Sub::sub, Mul mul Mul::mul, Div div Div::div);
+macro_rules! portable {
+    ($scalar:ident, $floats:ident, $ints:ident) => {
+        binary!(Portable<$floats>:
+            Add add |a, b| a + b, Sub sub |a, b| a - b, Mul mul |a, b| a * b, Div div |a, b| a / b);
 
-impl Lanes for Portable {
-    #[inline(always)]
-    fn splat(x: f32) -> Self {
-        Self(f32x8::splat(x))
-    }
-    #[inline(always)]
-    fn from_array(x: [f32; LANES]) -> Self {
-        Self(f32x8::new(x))
-    }
-    #[inline(always)]
-    fn to_array(self) -> [f32; LANES] {
-        self.0.to_array()
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self(self.0.sqrt())
-    }
-    #[inline(always)]
-    fn lt(self, other: Self) -> Mask<Self> {
-        Mask(Self(self.0.simd_lt(other.0)))
-    }
-    #[inline(always)]
-    fn le(self, other: Self) -> Mask<Self> {
-        Mask(Self(self.0.simd_le(other.0)))
-    }
-    #[inline(always)]
-    fn gt(self, other: Self) -> Mask<Self> {
-        Mask(Self(self.0.simd_gt(other.0)))
-    }
-    #[inline(always)]
-    fn ge(self, other: Self) -> Mask<Self> {
-        Mask(Self(self.0.simd_ge(other.0)))
-    }
-    #[inline(always)]
-    fn same_bits(self, other: Self) -> Mask<Self> {
-        // SAFETY: both types are eight lanes of 32 bits, every bit pattern of which is valid.
-        let equal = unsafe {
-            let (a, b) = (
-                std::mem::transmute::<f32x8, i32x8>(self.0),
-                std::mem::transmute::<f32x8, i32x8>(other.0),
-            );
-            std::mem::transmute::<i32x8, f32x8>(a.simd_eq(b))
-        };
-        Mask(Self(equal))
-    }
-    #[inline(always)]
-    fn bit_and(self, other: Self) -> Self {
-        Self(self.0 & other.0)
-    }
-    #[inline(always)]
-    fn bit_or(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-    #[inline(always)]
-    fn bit_clear(self, mask: Self) -> Self {
-        Self(self.0 & mask.0.not())
-    }
-    #[inline(always)]
-    fn choose(mask: Self, this: Self, other: Self) -> Self {
-        Self(mask.0.bitselect(this.0, other.0))
-    }
-    #[inline(always)]
-    fn signs(self) -> u32 {
-        self.0.to_bitmask()
-    }
+        impl Lanes for Portable<$floats> {
+            type Scalar = $scalar;
+
+            #[inline(always)]
+            fn splat(x: $scalar) -> Self {
+                Self($floats::splat(x))
+            }
+            #[inline(always)]
+            fn from_array(x: [$scalar; LANES]) -> Self {
+                Self($floats::new(x))
+            }
+            #[inline(always)]
+            fn to_array(self) -> [$scalar; LANES] {
+                self.0.to_array()
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                Self(self.0.sqrt())
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> Mask<Self> {
+                Mask(Self(self.0.simd_lt(other.0)))
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> Mask<Self> {
+                Mask(Self(self.0.simd_le(other.0)))
+            }
+            #[inline(always)]
+            fn gt(self, other: Self) -> Mask<Self> {
+                Mask(Self(self.0.simd_gt(other.0)))
+            }
+            #[inline(always)]
+            fn ge(self, other: Self) -> Mask<Self> {
+                Mask(Self(self.0.simd_ge(other.0)))
+            }
+            #[inline(always)]
+            fn same_bits(self, other: Self) -> Mask<Self> {
+                // SAFETY: both types are eight lanes of as many bits, every bit pattern of which is valid.
+                let equal = unsafe {
+                    let (a, b) = (
+                        std::mem::transmute::<$floats, $ints>(self.0),
+                        std::mem::transmute::<$floats, $ints>(other.0),
+                    );
+                    std::mem::transmute::<$ints, $floats>(a.simd_eq(b))
+                };
+                Mask(Self(equal))
+            }
+            #[inline(always)]
+            fn bit_and(self, other: Self) -> Self {
+                Self(self.0 & other.0)
+            }
+            #[inline(always)]
+            fn bit_or(self, other: Self) -> Self {
+                Self(self.0 | other.0)
+            }
+            #[inline(always)]
+            fn bit_clear(self, mask: Self) -> Self {
+                Self(self.0 & mask.0.not())
+            }
+            #[inline(always)]
+            fn choose(mask: Self, this: Self, other: Self) -> Self {
+                Self(mask.0.bitselect(this.0, other.0))
+            }
+            #[inline(always)]
+            fn signs(self) -> u32 {
+                self.0.to_bitmask()
+            }
+        }
+    };
 }
+
+portable!(f32, f32x8, i32x8);
+portable!(f64, f64x8, i64x8);
 
 /// The same in 256-bit operations. Only reached through `run_avx2`.
 #[cfg(target_arch = "x86_64")]
@@ -268,7 +363,7 @@ mod avx2 {
     use super::{LANES, Lanes, Mask};
 
     #[derive(Clone, Copy)]
-    pub(super) struct Avx2(__m256);
+    pub(crate) struct Avx2<V>(V);
 
     macro_rules! op {
         ($intrinsic:expr) => {
@@ -277,14 +372,16 @@ mod avx2 {
         };
     }
 
-    binary!(Avx2:
+    binary!(Avx2<__m256>:
         Add add |a, b| op!(_mm256_add_ps(a, b)),
         Sub sub |a, b| op!(_mm256_sub_ps(a, b)),
         Mul mul |a, b| op!(_mm256_mul_ps(a, b)),
         Div div |a, b| op!(_mm256_div_ps(a, b)),
     );
 
-    impl Lanes for Avx2 {
+    impl Lanes for Avx2<__m256> {
+        type Scalar = f32;
+
         #[inline(always)]
         fn splat(x: f32) -> Self {
             Self(op!(_mm256_set1_ps(x)))
@@ -343,6 +440,118 @@ mod avx2 {
         #[inline(always)]
         fn signs(self) -> u32 {
             op!(_mm256_movemask_ps(self.0)).cast_unsigned()
+        }
+        #[inline(always)]
+        fn least(self, other: Self) -> Self {
+            Self(op!(_mm256_min_ps(self.0, other.0)))
+        }
+        #[inline(always)]
+        fn most(self, other: Self) -> Self {
+            Self(op!(_mm256_max_ps(self.0, other.0)))
+        }
+        #[inline(always)]
+        fn interleave(x: Self, y: Self, z: Self, to: &mut [[f32; 3]; LANES]) {
+            let to = to.as_flattened_mut();
+            let (to, rest) = to.split_at_mut(LANES);
+            let (middle, end) = rest.split_at_mut(LANES);
+            op!({
+                // In each half: x0 x2 y0 y2, y1 y3 z1 z3, z0 z2 x1 x3.
+                let xy = _mm256_shuffle_ps::<0x88>(x.0, y.0);
+                let yz = _mm256_shuffle_ps::<0xdd>(y.0, z.0);
+                let zx = _mm256_shuffle_ps::<0xd8>(z.0, x.0);
+                // x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3.
+                let a = _mm256_shuffle_ps::<0x88>(xy, zx);
+                let b = _mm256_shuffle_ps::<0xd8>(yz, xy);
+                let c = _mm256_shuffle_ps::<0xdd>(zx, yz);
+                _mm256_storeu_ps(to.as_mut_ptr(), _mm256_permute2f128_ps::<0x20>(a, b));
+                _mm256_storeu_ps(middle.as_mut_ptr(), _mm256_blend_ps::<0xf0>(c, a));
+                _mm256_storeu_ps(end.as_mut_ptr(), _mm256_permute2f128_ps::<0x31>(b, c));
+            });
+        }
+    }
+
+    /// Lanes 0 to 3, and 4 to 7.
+    type Halves = [__m256d; 2];
+
+    /// An intrinsic on both halves.
+    macro_rules! halves {
+        ($intrinsic:expr; $($operand:expr),*) => {
+            op!([$intrinsic($($operand[0]),*), $intrinsic($($operand[1]),*)])
+        };
+    }
+
+    binary!(Avx2<Halves>:
+        Add add |a, b| halves!(_mm256_add_pd; a, b),
+        Sub sub |a, b| halves!(_mm256_sub_pd; a, b),
+        Mul mul |a, b| halves!(_mm256_mul_pd; a, b),
+        Div div |a, b| halves!(_mm256_div_pd; a, b),
+    );
+
+    impl Lanes for Avx2<Halves> {
+        type Scalar = f64;
+
+        #[inline(always)]
+        fn splat(x: f64) -> Self {
+            Self(op!([_mm256_set1_pd(x); 2]))
+        }
+        #[inline(always)]
+        fn from_array(x: [f64; LANES]) -> Self {
+            Self(op!([_mm256_loadu_pd(x.as_ptr()), _mm256_loadu_pd(x[4..].as_ptr())]))
+        }
+        #[inline(always)]
+        fn to_array(self) -> [f64; LANES] {
+            let mut array = [0.0; LANES];
+            op!(_mm256_storeu_pd(array.as_mut_ptr(), self.0[0]));
+            op!(_mm256_storeu_pd(array[4..].as_mut_ptr(), self.0[1]));
+            array
+        }
+        #[inline(always)]
+        fn sqrt(self) -> Self {
+            Self(halves!(_mm256_sqrt_pd; self.0))
+        }
+        #[inline(always)]
+        fn lt(self, other: Self) -> Mask<Self> {
+            Mask(Self(halves!(_mm256_cmp_pd::<_CMP_LT_OQ>; self.0, other.0)))
+        }
+        #[inline(always)]
+        fn le(self, other: Self) -> Mask<Self> {
+            Mask(Self(halves!(_mm256_cmp_pd::<_CMP_LE_OQ>; self.0, other.0)))
+        }
+        #[inline(always)]
+        fn gt(self, other: Self) -> Mask<Self> {
+            Mask(Self(halves!(_mm256_cmp_pd::<_CMP_GT_OQ>; self.0, other.0)))
+        }
+        #[inline(always)]
+        fn ge(self, other: Self) -> Mask<Self> {
+            Mask(Self(halves!(_mm256_cmp_pd::<_CMP_GE_OQ>; self.0, other.0)))
+        }
+        #[inline(always)]
+        fn same_bits(self, other: Self) -> Mask<Self> {
+            let (a, b) =
+                (halves!(_mm256_castpd_si256; self.0), halves!(_mm256_castpd_si256; other.0));
+            let equal = halves!(_mm256_cmpeq_epi64; a, b);
+            Mask(Self(halves!(_mm256_castsi256_pd; equal)))
+        }
+        #[inline(always)]
+        fn bit_and(self, other: Self) -> Self {
+            Self(halves!(_mm256_and_pd; self.0, other.0))
+        }
+        #[inline(always)]
+        fn bit_or(self, other: Self) -> Self {
+            Self(halves!(_mm256_or_pd; self.0, other.0))
+        }
+        #[inline(always)]
+        fn bit_clear(self, mask: Self) -> Self {
+            Self(halves!(_mm256_andnot_pd; mask.0, self.0))
+        }
+        #[inline(always)]
+        fn choose(mask: Self, this: Self, other: Self) -> Self {
+            Self(halves!(_mm256_blendv_pd; other.0, this.0, mask.0))
+        }
+        #[inline(always)]
+        fn signs(self) -> u32 {
+            let [low, high] = halves!(_mm256_movemask_pd; self.0);
+            (low | high << 4).cast_unsigned()
         }
     }
 }

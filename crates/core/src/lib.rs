@@ -1,22 +1,35 @@
-//! The packet engine: eight rays at a time, no recursion, the recursion's bits.
+//! The packet engine: eight rays at a time, no recursion, the recursion's bits; in f32, or in
+//! f64.
 //!
-//! Start with `packet`, the loop; then `shade`, then the shapes, which stand here under the
-//! same names as in the reference. `lanes` is the only file that knows what eight lanes are
-//! made of.
+//! Start with `packet`, the loop; then what it calls, in that order: `nearest`, `hits`, `shade`
+//! with `surfaces` and `occluders`, `wave`, `stack`; then the shapes, which stand here under the
+//! same names as in the reference. `plan` says what is left out. `lanes` is the only file that
+//! knows what eight lanes are made of.
 
 mod ball;
 mod flat;
+mod hits;
 mod isa;
 mod lanes;
+mod nearest;
+mod occluders;
 mod packet;
+mod plan;
 mod power;
 mod render;
 mod shade;
 mod sight;
 mod stack;
+mod surfaces;
 mod textbook;
 mod tile;
 mod vec3;
+pub mod watch;
+mod wave;
 
 pub use isa::Isa;
-pub use render::{Settings, StackFull, render, render_levels};
+pub use plan::{Features, Omission, Plan, TileCandidates, occluders, tile_candidates};
+pub use render::{
+    PacketScalar, Settings, StackFull, render, render_levels, render_levels_planned, render_planned,
+};
+pub use stack::RAY_LEVEL_BYTES;

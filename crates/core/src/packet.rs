@@ -12,48 +12,49 @@
 //!
 //! This file departs from it as follows, and no bit changes:
 //!
-//! 1. Eight rays go side by side. Each lane does what the recursion does for its ray, in the
-//!    same order; operations are the same in a lane as on a scalar (`lanes`). A lane whose ray
-//!    has ended computes on, and nothing reads it.
-//! 2. The call becomes a loop. On the way down every level leaves behind what it owes on the
-//!    return, (local, k), in a stack of its own (`stack`); the ray in flight overwrites the one
-//!    before, for nothing needs that any more.
-//! 3. The return becomes a second loop that folds back, colour = local + k · colour, from the
+//! 1. Eight rays go side by side, as a packet. Each lane does what the recursion does for its
+//!    ray, in the same order; operations are the same in a lane as on a scalar (`lanes`). A lane
+//!    without a ray computes on, and nothing reads it.
+//! 2. All rays of a tile go side by side, level by level: those of one depth are a wave
+//!    (`wave`). No ray knows of another, so their order is free. What a wave met is sorted by
+//!    primitive (`hits`), so that all that depends on the primitive is a scalar when its rays
+//!    are shaded, as it is in the recursion; and the rays that go on are packed anew.
+//! 3. The call becomes a loop. On the way down every level leaves behind what it owes on the
+//!    return, the local light, and for each ray that goes on k and whose it is (`stack`).
+//! 4. The return becomes a second loop that folds back, colour = local + k · colour, from the
 //!    deepest level up: the sum that the recursion forms, in its order. Adding weight · local on
 //!    the way down would be the same sum only in the reals.
-//! 4. Lanes that ended above add 0 + 0 · 0 below, and local + 0 · 0 at their last level, which
-//!    is local: no local colour is -0.
-//! 5. Lanes that met the same primitive are shaded together, so all that depends on the
-//!    primitive is a scalar, as it is in the recursion.
+//! 5. A level keeps something of all its rays, which would take too much memory where they go
+//!    deep together. From level [`BREADTH`] on each packet goes to the end of its path before
+//!    the next one does.
 
-use catoptric_scene::{Compiled, Shape};
+use std::ops::Range;
 
-use crate::lanes::{Lanes, Mask};
-use crate::shade::{self, Shaded};
-use crate::stack::{PendingBounce, Stack};
-use crate::vec3::Vec3;
-use crate::{ball, flat, textbook};
+use catoptric_scene::{Compiled, Scalar};
+
+use crate::hits::Hits;
+use crate::lanes::{LANES, Lane, Lanes, Mask};
+use crate::nearest::{Nearest, nearest};
+use crate::occluders::Occluders;
+use crate::shade::{Level, Shading, shade};
+use crate::stack::Stack;
+use crate::tile;
+use crate::vec3::{Packed, Vec3};
+use crate::watch::Observe;
+use crate::wave::{PACKETS, Wave};
+
+/// No primitive.
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// The last level at which the rays of a tile go side by side.
+pub(crate) const BREADTH: usize = 1024;
 
 /// Eight rays in flight. Units: directions have length 1, up to rounding.
 #[derive(Clone, Copy)]
 pub(crate) struct Rays<L> {
     pub(crate) origin: Vec3<L>,
     pub(crate) direction: Vec3<L>,
-    /// Index of the primitive just left, which is not met again, or [`NONE`].
-    pub(crate) left: L,
 }
-
-/// The primitives that are tried, in ascending order; a ray would miss all others.
-#[derive(Clone, Copy)]
-pub(crate) struct Candidates<'a> {
-    /// By the eye rays of these pixels.
-    pub(crate) eye: &'a [u32],
-    /// By mirrored rays.
-    pub(crate) mirrors: &'a [u32],
-}
-
-/// No primitive.
-pub(crate) const NONE: u32 = u32::MAX;
 
 /// How far eight rays are from one primitive.
 pub(crate) struct Distance<L> {
@@ -63,109 +64,172 @@ pub(crate) struct Distance<L> {
     pub(crate) met: Mask<L>,
 }
 
-/// Where eight rays meet one primitive.
-pub(crate) struct Surface<L> {
-    /// The points that are lit.
-    pub(crate) point: Vec3<L>,
-    /// Unit normals.
-    pub(crate) normal: Vec3<L>,
-    /// Where shadow and mirrored rays start.
-    pub(crate) start: Vec3<L>,
+/// The primitives that are tried, in ascending order; a ray would miss all others.
+#[derive(Clone, Copy)]
+pub(crate) struct Candidates<'a> {
+    /// By the eye rays of a tile.
+    pub(crate) eye: &'a [u32],
+    /// By mirrored rays.
+    pub(crate) mirrors: &'a [u32],
+}
+
+/// What tracing reads.
+#[derive(Clone, Copy)]
+pub(crate) struct World<'a, S: Scalar> {
+    pub(crate) scene: &'a Compiled<S>,
+    pub(crate) candidates: Candidates<'a>,
+    pub(crate) occluders: &'a Occluders<S>,
+    /// Reflections followed.
+    pub(crate) depth: u32,
+    pub(crate) omit: Omit,
+}
+
+/// What of a plan's omissions is asked for while tracing.
+#[derive(Clone, Copy)]
+pub(crate) struct Omit {
+    pub(crate) occluders: bool,
+    pub(crate) directions: bool,
+}
+
+/// What a thread keeps from tile to tile.
+pub(crate) struct Work<S> {
+    /// Eye rays; those of odd and of even levels; and those of level `BREADTH`.
+    pub(crate) waves: [Wave<S>; 4],
+    pub(crate) nearest: Box<[Nearest<S>; PACKETS]>,
+    hits: Hits,
+    shading: Shading<S>,
+    /// Of a tile's rays, what depends on the column, and how many lanes are in the picture.
+    pub(crate) across: [(Packed<S>, usize); tile::WIDTH / LANES],
+    /// Sums of samples.
+    pub(crate) sums: Box<[Packed<S>; PACKETS]>,
 }
 
 /// A path went deeper than the memory limit allows.
 pub(crate) struct TooDeep;
 
-/// The light that comes back along eight eye rays; lanes outside `live` are black.
-///
-/// Memory: what `stack` holds; it is left empty.
+/// The light that comes back along eye rays, those of `waves[0]`: in level 0 of the stack.
+/// `watch` sees the first of them go down and come up.
 #[inline(always)]
 pub(crate) fn trace<L: Lanes>(
-    scene: &Compiled,
-    candidates: Candidates,
-    mut rays: Rays<L>,
-    mut live: Mask<L>,
-    stack: &mut Stack,
-) -> Result<Vec3<L>, TooDeep> {
-    let mut weight = L::splat(1.0);
-    let mut depth = 0;
-    let mut tried = candidates.eye;
+    world: World<L::Scalar>,
+    work: &mut Work<L::Scalar>,
+    stack: &mut Stack<L::Scalar>,
+    watch: &mut impl Observe<L::Scalar>,
+) -> Result<(), TooDeep> {
+    let mut packets = 0..work.waves[0].len();
+    stack.start(packets.len());
+    // The first packet of level `BREADTH` that has not gone on.
+    let mut held = 0;
     loop {
-        if !stack.make_room() {
-            stack.clear();
-            return Err(TooDeep);
+        let depth = stack.depth();
+        if depth == BREADTH {
+            held = packets.end;
         }
-        let (nearest, distance) = nearest(scene, tried, &rays);
-        let met = live.without(nearest.same_bits(L::index(NONE)));
-        stack.count().rays += live.count();
-        stack.count().hits += met.count();
-
-        let mut bounce = PendingBounce::none();
-        bounce.local = Vec3::splat(scene.background).keep(live.without(met));
-        let mut next = rays;
-        live = Mask::none();
-        let followed = depth < scene.max_depth;
-
-        let indices = nearest.to_array().map(f32::to_bits);
-        let mut waiting = met.bits();
-        while waiting != 0 {
-            let index = indices[waiting.trailing_zeros() as usize % indices.len()];
-            let lanes = met & nearest.same_bits(L::index(index));
-            waiting &= !lanes.bits();
-
-            let Shaded { local, k, surface, mirrored, left } =
-                shade::shade(scene, index, &rays, distance, lanes, stack.count());
-            bounce.local = Vec3::select(lanes, local, bounce.local);
-            if k > 0.0 && followed {
-                let k = L::splat(k);
-                let product = weight * k;
-                let goes_on = lanes & product.ge(L::splat(scene.min_weight));
-                bounce.k = goes_on.select(k, bounce.k);
-                weight = goes_on.select(product, weight);
-                next.origin = Vec3::select(goes_on, surface.start, next.origin);
-                next.direction = Vec3::select(goes_on, mirrored, next.direction);
-                next.left = goes_on.select(L::index(left), next.left);
-                live = live | goes_on;
+        let next = level::<L>(world, packets, work, stack)?;
+        watch.level(work, stack, next);
+        if next > 0 {
+            stack.descend(next);
+            packets = if depth + 1 == BREADTH { 0..1 } else { 0..next };
+            continue;
+        }
+        while stack.depth() > 0 {
+            if stack.depth() == BREADTH && held < work.waves[wave_of(BREADTH)].len() {
+                break;
             }
+            watch.before_fold(stack);
+            stack.fold::<L>();
+            watch.after_fold(stack);
         }
-        stack.push(bounce);
-        if !live.any() {
-            break;
+        if stack.depth() == 0 {
+            return Ok(());
         }
-        rays = next;
-        depth += 1;
-        tried = candidates.mirrors;
+        packets = held..held + 1;
     }
-
-    let mut colour = Vec3::zero();
-    while let Some(bounce) = stack.pop() {
-        colour = bounce.fold(colour);
-    }
-    Ok(colour)
 }
 
-/// Index of the primitive that each ray meets first, or [`NONE`], and its distance.
-///
-/// Primitives are tried in the order of their index and only a smaller distance replaces:
-/// the first of equals wins. A distance of NaN is not smaller.
+/// Which of the waves holds the rays of a level.
 #[inline(always)]
-fn nearest<L: Lanes>(scene: &Compiled, tried: &[u32], rays: &Rays<L>) -> (L, L) {
-    let mut nearest = L::index(NONE);
-    let mut best = L::splat(f32::INFINITY);
-    for &index in tried {
-        let own = rays.left.same_bits(L::index(index));
-        let distance = match &scene.primitives[index as usize].shape {
-            Shape::Ball(ball) => ball::distance(ball, rays, own),
-            Shape::Flat(flat) => flat::distance(flat, rays, own),
-            Shape::TextbookSphere(sphere) => Some(textbook::sphere_distance(sphere, rays)),
-            Shape::TextbookPlane(plane) => Some(textbook::plane_distance(plane, rays)),
-        };
-        let Some(distance) = distance else {
-            continue;
-        };
-        let closer = distance.met & distance.t.lt(best);
-        best = closer.select(distance.t, best);
-        nearest = closer.select(L::index(index), nearest);
+pub(crate) fn wave_of(depth: usize) -> usize {
+    match depth {
+        0 => 0,
+        BREADTH => 3,
+        _ => 1 + depth % 2,
     }
-    (nearest, best)
+}
+
+/// Traces packets of the level in flight as far as the surfaces they meet. The rays that go on
+/// are the next wave; how many packets that is.
+#[inline(always)]
+fn level<L: Lanes>(
+    world: World<L::Scalar>,
+    packets: Range<usize>,
+    work: &mut Work<L::Scalar>,
+    stack: &mut Stack<L::Scalar>,
+) -> Result<usize, TooDeep> {
+    if !stack.make_room(packets.len()) {
+        return Err(TooDeep);
+    }
+    let depth = stack.depth();
+    let Ok([wave, next]) = work.waves.get_disjoint_mut([wave_of(depth), wave_of(depth + 1)]) else {
+        unreachable!("two waves");
+    };
+    next.clear();
+
+    let (rays, found) = (&wave.packets()[packets.clone()], &mut work.nearest[packets.clone()]);
+    let Candidates { eye, mirrors } = world.candidates;
+    if depth == 0 {
+        nearest::<L, true>(world.scene, eye, rays, found);
+    } else {
+        nearest::<L, false>(world.scene, mirrors, rays, found);
+    }
+
+    let (pending, next_pending) = stack.level_and_next();
+    let background = Vec3::<L>::splat(world.scene.background).to_arrays();
+    let lanes = packets.len() * LANES;
+    let (mut idle, mut misses, mut shadow) = (0, 0, 0);
+    for ((at, rays), found) in packets.zip(rays).zip(found) {
+        let missed = work.hits.sort::<L>(at, rays, found);
+        if missed > 0 {
+            pending[at].colour = background;
+            misses += missed;
+            idle += LANES - rays.live as usize;
+        }
+    }
+
+    let followed = depth < world.depth as usize;
+    let mut level = Level {
+        wave,
+        nearest: &work.nearest,
+        hits: &mut work.hits,
+        pending,
+        next,
+        next_pending,
+        followed,
+    };
+    while let Some(index) = level.hits.next_met() {
+        shadow += shade::<L>(world, index, &mut level, &mut work.shading);
+    }
+    level.next.close::<L>(level.next_pending);
+    let next = level.next.len();
+
+    let count = stack.count();
+    count.rays += (lanes - idle) as u64;
+    count.hits += (lanes - misses) as u64;
+    count.shadow += shadow;
+    Ok(next)
+}
+
+impl<S: Lane> Work<S> {
+    /// For a scene with so many occluders before each lamp.
+    pub(crate) fn new(scene: &Compiled<S>, occluders: usize) -> Self {
+        let nearest = Nearest { index: [S::ZERO; LANES], distance: [S::ZERO; LANES] };
+        Self {
+            waves: std::array::from_fn(|_| Wave::new()),
+            nearest: Box::new([nearest; PACKETS]),
+            hits: Hits::new(scene.primitives.len()),
+            shading: Shading::new(occluders, scene.lights.len()),
+            across: [([[S::ZERO; LANES]; 3], 0); tile::WIDTH / LANES],
+            sums: Box::new([[[S::ZERO; LANES]; 3]; PACKETS]),
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The highlight's power: `reference::power`, lane by lane.
 
-use catoptric_scene::Power;
+use catoptric_scene::{Power, Scalar};
 
 use crate::lanes::{LANES, Lanes};
 
@@ -9,8 +9,8 @@ use crate::lanes::{LANES, Lanes};
 /// Lanes below the cut would become subnormal, which costs a hundred cycles: they compute
 /// with 1 and are dropped.
 #[inline(always)]
-pub(crate) fn power<L: Lanes>(x: L, p: Power) -> L {
-    let one = L::splat(1.0);
+pub(crate) fn power<L: Lanes>(x: L, p: Power<L::Scalar>) -> L {
+    let one = L::constant(1.0);
     let x = x.positive();
     let x = x.lt(one).select(x, one);
     match p {
@@ -28,61 +28,97 @@ pub(crate) fn power<L: Lanes>(x: L, p: Power) -> L {
 /// Repeated squaring, from the lowest bit of p.
 #[inline(always)]
 fn whole<L: Lanes>(x: L, p: u32) -> L {
-    let mut result = L::splat(1.0);
+    let mut result = L::constant(1.0);
     let mut square = x;
     let mut rest = p;
-    while rest > 0 {
+    loop {
         if rest & 1 == 1 {
             result = result * square;
         }
-        square = square * square;
         rest >>= 1;
+        if rest == 0 {
+            return result;
+        }
+        square = square * square;
     }
-    result
 }
 
 /// log2 of normal positive lanes; other lanes hold nonsense.
 #[inline(always)]
 fn log2<L: Lanes>(x: L) -> L {
     let mut m = x.to_array();
-    let mut e = [0.0; LANES];
+    let mut e = [L::Scalar::ZERO; LANES];
     for i in 0..LANES {
-        let bits = m[i].to_bits();
-        let exponent = bits.wrapping_sub(SQRT_HALF_BITS).cast_signed() >> 23;
-        m[i] = f32::from_bits(bits.wrapping_sub((exponent << 23).cast_unsigned()));
-        e[i] = exponent as f32;
+        (e[i], m[i]) = m[i].exponent_and_mantissa();
     }
     let (m, e) = (L::from_array(m), L::from_array(e));
-    let one = L::splat(1.0);
+    let one = L::constant(1.0);
     let s = (m - one) / (m + one);
     let s2 = s * s;
-    let [c1, c3, c5, c7, c9] = Power::LOG2_SERIES;
-    let series = L::splat(c9) * s2 + L::splat(c7);
-    let series = series * s2 + L::splat(c5);
-    let series = series * s2 + L::splat(c3);
-    let series = series * s2 + L::splat(c1);
-    e + s * series
+    e + s * horner(L::Scalar::LOG2_SERIES, s2)
 }
 
-/// 2^y for lanes in [-126, 0]; other lanes hold nonsense.
+/// 2^y for lanes in [-126, 0], in f64 [-1022, 0]; other lanes hold nonsense.
 #[inline(always)]
 fn exp2<L: Lanes>(y: L) -> L {
-    let shift = L::splat(ROUNDING_SHIFT);
+    let shift = L::splat(L::Scalar::ROUNDING_SHIFT);
     let shifted = y + shift;
     let f = y - (shifted - shift);
-    let mut series = L::splat(Power::EXP2_SERIES[7]);
-    for j in (0..7).rev() {
-        series = series * f + L::splat(Power::EXP2_SERIES[j]);
-    }
     let mut two_to_n = shifted.to_array();
     for lane in &mut two_to_n {
-        *lane = f32::from_bits((lane.to_bits() << 23).wrapping_add(1.0f32.to_bits()));
+        *lane = lane.two_to_shifted();
     }
-    series * L::from_array(two_to_n)
+    horner(L::Scalar::EXP2_SERIES, f) * L::from_array(two_to_n)
 }
 
-/// sqrt(1/2) as bits: where m starts.
-const SQRT_HALF_BITS: u32 = 0x3f35_04f3;
+/// c0 + c1 x + c2 x^2 + ..., from the highest power down.
+#[inline(always)]
+fn horner<L: Lanes>(series: &[L::Scalar], x: L) -> L {
+    let [rest @ .., last] = series else { return L::constant(0.0) };
+    let mut sum = L::splat(*last);
+    for &c in rest.iter().rev() {
+        sum = sum * x + L::splat(c);
+    }
+    sum
+}
 
-/// 1.5·2^23.
-const ROUNDING_SHIFT: f32 = 12_582_912.0;
+/// What the series do to the bits of a number.
+pub(crate) trait Bits: Scalar {
+    /// 1.5·2^23, in f64 1.5·2^52: added to a number it rounds it to a whole one, which then
+    /// stands in the low bits.
+    const ROUNDING_SHIFT: Self;
+
+    /// e and m of x = 2^e m, m in [sqrt(1/2), sqrt 2).
+    fn exponent_and_mantissa(self) -> (Self, Self);
+
+    /// 2^n of n + [`Bits::ROUNDING_SHIFT`].
+    fn two_to_shifted(self) -> Self;
+}
+
+macro_rules! bits {
+    ($scalar:ident) => {
+        impl Bits for $scalar {
+            const ROUNDING_SHIFT: Self = 1.5 / $scalar::EPSILON;
+
+            #[inline(always)]
+            fn exponent_and_mantissa(self) -> (Self, Self) {
+                const FRACTION_BITS: u32 = $scalar::MANTISSA_DIGITS - 1;
+                let start = std::$scalar::consts::FRAC_1_SQRT_2.to_bits();
+                let bits = self.to_bits();
+                let exponent = bits.wrapping_sub(start).cast_signed() >> FRACTION_BITS;
+                let m = bits.wrapping_sub((exponent << FRACTION_BITS).cast_unsigned());
+                (exponent as $scalar, $scalar::from_bits(m))
+            }
+
+            #[inline(always)]
+            fn two_to_shifted(self) -> Self {
+                const FRACTION_BITS: u32 = $scalar::MANTISSA_DIGITS - 1;
+                let one = (1.0 as $scalar).to_bits();
+                $scalar::from_bits((self.to_bits() << FRACTION_BITS).wrapping_add(one))
+            }
+        }
+    };
+}
+
+bits!(f32);
+bits!(f64);

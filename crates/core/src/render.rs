@@ -2,12 +2,14 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use catoptric_scene::{Compiled, Counts, Film, Grid, Quantiser};
+use catoptric_scene::{Compiled, Counts, Film, Grid, Quantiser, Scalar};
 use rayon::prelude::*;
 
 use crate::Isa;
-use crate::lanes;
-use crate::packet::{Candidates, TooDeep};
+use crate::lanes::{self, Kernel, Lane, Lanes};
+use crate::occluders::Occluders;
+use crate::packet::{Candidates, Omit, TooDeep, Work, World};
+use crate::plan::{Omission, Plan, occluders_of};
 use crate::sight::Sights;
 use crate::stack::{Budget, Stack};
 use crate::tile::{self, Tile};
@@ -29,33 +31,96 @@ pub struct StackFull {
     pub limit: usize,
 }
 
+/// A scalar that the engine computes in: f32, which it is made for, or f64.
+pub trait PacketScalar: Scalar {
+    /// [`render_planned`], compiled once for each scalar, here.
+    #[doc(hidden)]
+    fn render_pixels(
+        scene: &Compiled<Self>,
+        plan: &Plan,
+        grid: &Grid<Self>,
+        pixels: &mut [[Self; 3]],
+        settings: Settings,
+        progress: &(dyn Fn(u64) + Sync),
+    ) -> Result<Counts, StackFull>;
+
+    /// [`crate::occluders`].
+    #[doc(hidden)]
+    fn occluders(scene: &Compiled<Self>, lamp: usize, receiver: usize) -> Vec<u32>;
+}
+
+macro_rules! packet_scalar {
+    ($scalar:ty) => {
+        impl PacketScalar for $scalar {
+            fn render_pixels(
+                scene: &Compiled<Self>,
+                plan: &Plan,
+                grid: &Grid<Self>,
+                pixels: &mut [[Self; 3]],
+                settings: Settings,
+                progress: &(dyn Fn(u64) + Sync),
+            ) -> Result<Counts, StackFull> {
+                bands(scene, plan, grid, pixels, settings, progress, |band, rows| band.render(rows))
+            }
+
+            fn occluders(scene: &Compiled<Self>, lamp: usize, receiver: usize) -> Vec<u32> {
+                occluders_of(scene, lamp, receiver)
+            }
+        }
+    };
+}
+
+packet_scalar!(f32);
+packet_scalar!(f64);
+
 /// Renders a view into a film of its size, on rayon's current threads.
 ///
+/// The picture is that of the recursion in the same scalar.
+///
 /// `progress` is told after every few rows how many pixels were added. Memory: the film, and
-/// a stack a thread of 152 bytes a level of the deepest path so far, rounded up to a power of
-/// two levels.
+/// half a megabyte a thread (f64: one). Where paths go deep, a thread's stack takes 20 bytes
+/// (f64: 36) a ray of a tile and level down to level 1024, 10 MB at most, and from there on 192
+/// (f64: 320) a level; rounded up to a power of two levels.
 ///
 /// # Errors
 /// [`StackFull`] if paths go too deep for the limit; the film is then void.
 ///
 /// # Panics
 /// If the film's size is not the grid's.
-pub fn render(
-    scene: &Compiled,
-    grid: &Grid,
-    film: &mut Film,
+pub fn render<S: PacketScalar>(
+    scene: &Compiled<S>,
+    grid: &Grid<S>,
+    film: &mut Film<S>,
+    settings: Settings,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Counts, StackFull> {
+    render_planned(scene, &Plan::new(scene, grid), grid, film, settings, progress)
+}
+
+/// [`render`] by a plan of that scene and grid, which changes how long it takes and nothing else.
+///
+/// # Errors
+/// As [`render`].
+///
+/// # Panics
+/// As [`render`].
+pub fn render_planned<S: PacketScalar>(
+    scene: &Compiled<S>,
+    plan: &Plan,
+    grid: &Grid<S>,
+    film: &mut Film<S>,
     settings: Settings,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Counts, StackFull> {
     assert_eq!((film.width(), film.height()), (grid.width, grid.height), "the film's size");
-    bands(scene, grid, film.pixels_mut(), settings, progress, |band, pixels| band.render(pixels))
+    S::render_pixels(scene, plan, grid, film.pixels_mut(), settings, progress)
 }
 
 /// Renders a view straight to 8-bit levels: those that `quantiser` gives for the film, which
 /// is never made.
 ///
 /// Shape: `levels` holds the grid's pixels row by row from the top left. Otherwise as
-/// [`render`], with 96 bytes of memory a column and thread in place of the film.
+/// [`render`], without the film.
 ///
 /// # Errors
 /// As [`render`]; the levels are then void.
@@ -70,39 +135,64 @@ pub fn render_levels(
     settings: Settings,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Counts, StackFull> {
+    render_levels_planned(
+        scene,
+        &Plan::new(scene, grid),
+        grid,
+        quantiser,
+        levels,
+        settings,
+        progress,
+    )
+}
+
+/// [`render_levels`] by a plan of that scene and grid.
+///
+/// # Errors
+/// As [`render`].
+///
+/// # Panics
+/// As [`render_levels`].
+pub fn render_levels_planned(
+    scene: &Compiled,
+    plan: &Plan,
+    grid: &Grid,
+    quantiser: &Quantiser,
+    levels: &mut [[u8; 3]],
+    settings: Settings,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Counts, StackFull> {
     assert_eq!(levels.len(), grid.width as usize * grid.height as usize, "a place for each pixel");
-    bands(scene, grid, levels, settings, progress, |band, levels| {
-        // Stays in the cache, where a film would not.
-        let mut linear = std::mem::take(&mut band.linear);
-        linear.resize(levels.len(), [0.0; 3]);
-        let rendered = band.render(&mut linear);
-        quantiser.levels(&linear, levels);
-        band.linear = linear;
-        rendered
+    bands(scene, plan, grid, levels, settings, progress, |band, levels| {
+        band.render_levels(quantiser, levels)
     })
 }
 
 /// Hands out bands of rows to rayon's threads; `render` fills the pixels of one.
-fn bands<P: Send>(
-    scene: &Compiled,
-    grid: &Grid,
+fn bands<S: Lane, P: Send>(
+    scene: &Compiled<S>,
+    plan: &Plan,
+    grid: &Grid<S>,
     pixels: &mut [P],
     settings: Settings,
     progress: &(dyn Fn(u64) + Sync),
-    render: impl Fn(&mut Band, &mut [P]) -> Result<(), TooDeep> + Sync,
+    render: impl Fn(&mut Band<S>, &mut [P]) -> Result<(), TooDeep> + Sync,
 ) -> Result<Counts, StackFull> {
     let budget = Budget::new(settings.stack_limit);
     let sights = Sights::new(scene);
+    let occluders = Occluders::new(scene);
     let full = AtomicBool::new(false);
     let band = || Band {
         scene,
+        plan,
         grid,
         isa: settings.isa,
         sights: &sights,
         rows: &[],
+        occluders: &occluders,
+        work: Work::new(scene, occluders.len()),
         stack: Stack::new(&budget),
         eye: Vec::new(),
-        linear: Vec::new(),
     };
     let counts = pixels
         .par_chunks_mut(grid.width as usize * tile::HEIGHT)
@@ -126,39 +216,112 @@ fn bands<P: Send>(
 }
 
 /// Tiles side by side, what one thread takes at a time; and what it keeps from band to band.
-struct Band<'a> {
-    scene: &'a Compiled,
-    grid: &'a Grid,
+struct Band<'a, S: Lane> {
+    scene: &'a Compiled<S>,
+    plan: &'a Plan,
+    grid: &'a Grid<S>,
     isa: Isa,
     sights: &'a Sights,
+    occluders: &'a Occluders<S>,
+    work: Work<S>,
     /// Vertical positions of the band's sub-rows.
-    rows: &'a [f32],
-    stack: Stack<'a>,
+    rows: &'a [S],
+    stack: Stack<'a, S>,
     /// Room for the candidates of a tile.
     eye: Vec<u32>,
-    /// Room for a band in linear light.
-    linear: Vec<[f32; 3]>,
 }
 
-impl Band<'_> {
+impl<S: Lane> Band<'_, S> {
     /// Fills the pixels of whole rows.
-    fn render(&mut self, pixels: &mut [[f32; 3]]) -> Result<(), TooDeep> {
-        let (grid, samples) = (self.grid, self.grid.samples as usize);
-        for (tile, columns) in grid.columns.chunks(tile::WIDTH * samples).enumerate() {
-            self.sights.candidates(&self.scene.eye, columns, self.rows, &mut self.eye);
-            let tile = Tile {
-                scene: self.scene,
-                candidates: Candidates { eye: &self.eye, mirrors: self.sights.all() },
-                samples,
-                columns,
-                rows: self.rows,
-                pixels,
-                width: grid.width as usize,
-                left: tile * tile::WIDTH,
-                stack: &mut self.stack,
-            };
-            lanes::run(self.isa, tile)?;
+    fn render(&mut self, pixels: &mut [[S; 3]]) -> Result<(), TooDeep> {
+        let width = self.grid.width as usize;
+        for left in (0..width).step_by(tile::WIDTH) {
+            self.tile(left, pixels, width, left)?;
         }
         Ok(())
+    }
+
+    /// Fills pixels of `width` a row, from column `at` on, with the tile at column `left`.
+    fn tile(
+        &mut self,
+        left: usize,
+        pixels: &mut [[S; 3]],
+        width: usize,
+        at: usize,
+    ) -> Result<bool, TooDeep> {
+        let samples = self.grid.samples as usize;
+        let columns = &self.grid.columns[left * samples..];
+        let columns = &columns[..columns.len().min(tile::WIDTH * samples)];
+        let mut eye = self.sights.all();
+        if self.plan.omits(Omission::Tiles) {
+            self.sights.candidates(&self.scene.eye, columns, self.rows, &mut self.eye);
+            eye = &self.eye;
+        }
+        let tile = Tile {
+            world: World {
+                scene: self.scene,
+                candidates: Candidates { eye, mirrors: self.sights.all() },
+                occluders: self.occluders,
+                depth: self.plan.depth,
+                omit: Omit {
+                    occluders: self.plan.omits(Omission::Occluders),
+                    directions: self.plan.omits(Omission::Directions),
+                },
+            },
+            samples,
+            columns,
+            rows: self.rows,
+            pixels,
+            width,
+            left: at,
+            work: &mut self.work,
+            stack: &mut self.stack,
+        };
+        lanes::run(self.isa, tile)
+    }
+}
+
+impl Band<'_, f32> {
+    /// Fills the levels of whole rows. Linear light exists a tile at a time.
+    fn render_levels(
+        &mut self,
+        quantiser: &Quantiser,
+        levels: &mut [[u8; 3]],
+    ) -> Result<(), TooDeep> {
+        let width = self.grid.width as usize;
+        let rows = levels.len() / width;
+        let mut linear = [[0.0; 3]; tile::WIDTH * tile::HEIGHT];
+        for left in (0..width).step_by(tile::WIDTH) {
+            let right = width.min(left + tile::WIDTH);
+            let linear = &mut linear[..rows * (right - left)];
+            let uniform = self.tile(left, linear, right - left, 0)?;
+            let rows = levels.chunks_exact_mut(width).map(|row| &mut row[left..right]);
+            if uniform {
+                let level = linear[0].map(|x| quantiser.level(x));
+                rows.for_each(|row| row.fill(level));
+            } else {
+                for (row, linear) in rows.zip(linear.chunks_exact(right - left)) {
+                    lanes::run(self.isa, Quantise { quantiser, linear, levels: row });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Some pixels' quantisation, for lanes wider than the baseline's.
+struct Quantise<'a> {
+    quantiser: &'a Quantiser,
+    linear: &'a [[f32; 3]],
+    levels: &'a mut [[u8; 3]],
+}
+
+impl Kernel for Quantise<'_> {
+    type Scalar = f32;
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes<Scalar = f32>>(self) {
+        self.quantiser.levels(self.linear, self.levels);
     }
 }

@@ -1,57 +1,122 @@
-//! Local light and the mirrored direction, for the lanes that met one primitive.
+//! Local light, and the mirrored rays that go on, for all rays of a level that met one primitive.
 
-use catoptric_scene::{Compiled, DepthCount, Numerics, Phong, Shape};
+use catoptric_scene::{Numerics, Phong, Scalar, Shape};
+use glam::DVec3;
 
-use crate::lanes::{Lanes, Mask};
-use crate::packet::{NONE, Rays, Surface};
+use crate::hits::Hits;
+use crate::lanes::{LANES, Lane, Lanes, Mask};
+use crate::nearest::Nearest;
+use crate::packet::{NONE, Rays, World};
 use crate::power::power;
+use crate::sight::in_f64;
+use crate::stack::Pending;
+use crate::surfaces::{Met, Origin, Surfaces};
 use crate::vec3::Vec3;
+use crate::wave::{Mirrored, PACKETS, Slot, Wave};
 use crate::{ball, flat, textbook};
 
-/// What the lanes that met one primitive take from it.
-pub(crate) struct Shaded<L> {
-    /// Ambient light and lamps.
-    pub(crate) local: Vec3<L>,
-    /// The mirror factor, the same for all lanes.
-    pub(crate) k: f32,
-    pub(crate) surface: Surface<L>,
-    /// Directions of the mirrored rays.
-    pub(crate) mirrored: Vec3<L>,
-    /// What mirrored rays leave: the primitive, or [`NONE`].
-    pub(crate) left: u32,
+/// So many shadow tests are fewer than finding out which of them can be left out costs.
+const WORTH_BOUNDS: usize = 8;
+
+/// The level in flight, and the next.
+pub(crate) struct Level<'a, S> {
+    pub(crate) wave: &'a Wave<S>,
+    pub(crate) nearest: &'a [Nearest<S>; PACKETS],
+    pub(crate) hits: &'a mut Hits,
+    pub(crate) pending: &'a mut [Pending<S>],
+    pub(crate) next: &'a mut Wave<S>,
+    pub(crate) next_pending: &'a mut [Pending<S>],
+    /// Whether mirrored rays are traced.
+    pub(crate) followed: bool,
 }
 
-/// Shades the lanes that met primitive `index` at their `distance`. Counts shadow rays.
+/// Room for what shading finds out about one primitive.
+pub(crate) struct Shading<S> {
+    surfaces: Surfaces<S>,
+    /// Of all lamps, one after another, and where each lamp's end.
+    occluders: Vec<u32>,
+    ends: Vec<usize>,
+}
+
+/// Where eight rays met a primitive.
+struct Place<L> {
+    point: Vec3<L>,
+    normal: Vec3<L>,
+    /// Where shadow and mirrored rays start.
+    start: Vec3<L>,
+    mirrored: Vec3<L>,
+}
+
+impl<S: Lane> Shading<S> {
+    pub(crate) fn new(occluders: usize, lamps: usize) -> Self {
+        // One more: a place is written before it is known whether it counts.
+        let occluders = vec![0; (occluders + 1) * lamps];
+        Self { surfaces: Surfaces::new(), occluders, ends: vec![0; lamps] }
+    }
+}
+
+/// Shades the rays of a level that met primitive `index`; how many shadow rays they have.
 #[inline(always)]
 pub(crate) fn shade<L: Lanes>(
-    scene: &Compiled,
+    world: World<L::Scalar>,
     index: u32,
-    rays: &Rays<L>,
-    distance: L,
-    lanes: Mask<L>,
-    count: &mut DepthCount,
-) -> Shaded<L> {
+    level: &mut Level<L::Scalar>,
+    shading: &mut Shading<L::Scalar>,
+) -> u64 {
+    let scene = world.scene;
     let primitive = &scene.primitives[index as usize];
     let material = &scene.materials[primitive.material as usize];
-    let (surface, left) = match &primitive.shape {
-        Shape::Ball(ball) => (ball::surface(ball, rays, distance), index),
-        Shape::Flat(flat) => (flat::surface(flat, rays, distance), index),
-        Shape::TextbookSphere(s) => (textbook::sphere_surface(s, rays, distance), NONE),
-        Shape::TextbookPlane(p) => (textbook::plane_surface(p, rays, distance), NONE),
+    let followed = level.followed && material.mirror > L::Scalar::ZERO;
+    let highlight = material.specular > L::Scalar::ZERO || !world.omit.directions;
+    let met = Met {
+        wave: level.wave,
+        nearest: level.nearest,
+        hits: level.hits,
+        index,
+        numerics: scene.numerics,
+        mirrors: followed || highlight,
     };
-    let mirrored = mirrored(scene.numerics, rays.direction, surface.normal);
-    let local = local(scene, material, &surface, left, mirrored, lanes, count);
-    Shaded { local, k: material.mirror, surface, mirrored, left }
-}
-
-/// d - 2 (d·n) n; robust: made a unit vector again by one Newton step.
-#[inline(always)]
-fn mirrored<L: Lanes>(numerics: Numerics, d: Vec3<L>, n: Vec3<L>) -> Vec3<L> {
-    let v = d - n * (L::splat(2.0) * d.dot(n));
-    match numerics {
-        Numerics::Robust => v * (L::splat(1.5) - L::splat(0.5) * v.dot(v)),
-        Numerics::Textbook => v,
+    let Shading { surfaces, occluders, ends } = shading;
+    match &primitive.shape {
+        Shape::Ball(ball) => surfaces.collect::<L, _>(*ball, met),
+        Shape::Flat(flat) => surfaces.collect::<L, _>(*flat, met),
+        Shape::TextbookSphere(sphere) => surfaces.collect::<L, _>(*sphere, met),
+        Shape::TextbookPlane(plane) => surfaces.collect::<L, _>(*plane, met),
     }
+
+    let few = world.occluders.len() * surfaces.all().len() < WORTH_BOUNDS;
+    let (center, radius) =
+        if few || !world.omit.occluders { (DVec3::ZERO, f64::INFINITY) } else { surfaces.bounds() };
+    let mut end = 0;
+    for (lamp, lamp_end) in scene.lights.iter().zip(&mut *ends) {
+        if !lamp.hidden {
+            let lamp = in_f64::<L::Scalar>(lamp.position);
+            let list = &mut occluders[end..];
+            end += world.occluders.find::<L>(lamp, center, radius, index, list);
+        }
+        *lamp_end = end;
+    }
+
+    let mut shadow = 0;
+    for at in surfaces.all() {
+        let (point, normal) = (Vec3::from_arrays(&at.point), Vec3::from_arrays(&at.normal));
+        let start = match &primitive.shape {
+            Shape::Ball(_) | Shape::Flat(_) => point,
+            Shape::TextbookSphere(sphere) => textbook::sphere_start(sphere, point),
+            Shape::TextbookPlane(_) => textbook::plane_start(point, normal),
+        };
+        let place = Place { point, normal, start, mirrored: Vec3::from_arrays(&at.mirrored) };
+        let lanes = match at.rays {
+            Origin::Packet(_) => Mask::every(),
+            Origin::Single(_, live) => Mask::first(live),
+        };
+        let colour = local::<L>(world, material, &place, occluders, ends, lanes, &mut shadow);
+        put(level.pending, &at.rays, colour);
+        if followed {
+            go_on(world, index, material.mirror, &place, lanes, &at.rays, level);
+        }
+    }
+    shadow
 }
 
 /// Ambient light plus what each visible lamp adds, in file order.
@@ -60,64 +125,65 @@ fn mirrored<L: Lanes>(numerics: Numerics, d: Vec3<L>, n: Vec3<L>) -> Vec3<L> {
 /// a highlight the recursion adds 0 · power, which changes nothing either.
 #[inline(always)]
 fn local<L: Lanes>(
-    scene: &Compiled,
-    material: &Phong,
-    at: &Surface<L>,
-    left: u32,
-    mirrored: Vec3<L>,
+    world: World<L::Scalar>,
+    material: &Phong<L::Scalar>,
+    at: &Place<L>,
+    occluders: &[u32],
+    ends: &[usize],
     lanes: Mask<L>,
-    count: &mut DepthCount,
+    shadow: &mut u64,
 ) -> Vec3<L> {
     let mut colour = Vec3::splat(material.ambient);
-    for lamp in &scene.lights {
+    let mut start = 0;
+    for (lamp, &end) in world.scene.lights.iter().zip(ends) {
+        let occluders = &occluders[start..end];
+        start = end;
         let to_lamp = Vec3::splat(lamp.position) - at.point;
         let distance = to_lamp.length();
-        let l = to_lamp * (L::splat(1.0) / distance);
+        let l = to_lamp * (L::constant(1.0) / distance);
         let facing = at.normal.dot(l);
-        let faces = lanes & facing.gt(L::splat(0.0));
-        count.shadow += faces.count();
+        let zero = L::constant(0.0);
+        let faces = lanes & facing.gt(zero) & distance.gt(zero);
+        *shadow += faces.count();
         if lamp.hidden || !faces.any() {
             continue;
         }
-        let lit = visible(scene, at, left, l, distance, faces);
+        let lit = visible(world, at, occluders, l, distance, faces);
         if !lit.any() {
             continue;
         }
         let mut light = Vec3::splat(material.diffuse) * facing;
-        if material.specular > 0.0 {
-            let highlight = L::splat(material.specular) * power(l.dot(mirrored), material.power);
-            light = light + Vec3 { x: highlight, y: highlight, z: highlight };
+        if material.specular > L::Scalar::ZERO || !world.omit.directions {
+            let highlight = L::splat(material.specular) * power(l.dot(at.mirrored), material.power);
+            light = light + Vec3::all(highlight);
         }
         colour = colour + (Vec3::splat(lamp.intensity) * light).keep(lit);
     }
     colour
 }
 
-/// The lanes of `faces` between which and a lamp nothing stands.
+/// The lanes of `faces` between which and a lamp none of `occluders` stands.
 #[inline(always)]
 fn visible<L: Lanes>(
-    scene: &Compiled,
-    at: &Surface<L>,
-    left: u32,
+    world: World<L::Scalar>,
+    at: &Place<L>,
+    occluders: &[u32],
     l: Vec3<L>,
     distance: L,
     faces: Mask<L>,
 ) -> Mask<L> {
     let mut lit = faces;
-    let rays = Rays { origin: at.start, direction: l, left: L::index(NONE) };
-    for (index, primitive) in (0..).zip(&scene.primitives) {
-        if index == left {
-            continue;
-        }
-        let dark = match &primitive.shape {
+    let rays = Rays { origin: at.start, direction: l };
+    for &index in occluders {
+        let dark = match &world.scene.primitives[index as usize].shape {
             Shape::Ball(ball) => ball::occludes(ball, at.start, l, distance),
             Shape::Flat(flat) => flat::occludes(flat, at.start, l, distance),
-            Shape::TextbookSphere(s) => {
-                let root = textbook::sphere_distance(s, &rays);
+            Shape::TextbookSphere(sphere) => {
+                let root = textbook::sphere_distance(sphere, &rays);
                 root.met & root.t.lt(distance)
             }
-            Shape::TextbookPlane(p) => {
-                let root = textbook::plane_distance(p, &rays);
+            Shape::TextbookPlane(plane) => {
+                let root = textbook::plane_distance(plane, &rays);
                 root.met & root.t.lt(distance)
             }
         };
@@ -127,4 +193,72 @@ fn visible<L: Lanes>(
         }
     }
     lit
+}
+
+/// Keeps local colours until what the mirrors show comes back.
+#[inline(always)]
+fn put<L: Lanes>(pending: &mut [Pending<L::Scalar>], rays: &Origin, colour: Vec3<L>) {
+    let colour = colour.to_arrays();
+    match rays {
+        Origin::Packet(packet) => pending[*packet].colour = colour,
+        Origin::Single(slots, live) => {
+            for (lane, &slot) in slots[..*live].iter().enumerate() {
+                let to = &mut pending[slot as usize / LANES].colour;
+                for axis in 0..3 {
+                    to[axis][slot as usize % LANES] = colour[axis][lane];
+                }
+            }
+        }
+    }
+}
+
+/// Adds the mirrored rays whose weight is not below the cut to the next wave.
+///
+/// Without a cut every weight passes, and weights are not even formed.
+#[inline(always)]
+fn go_on<L: Lanes>(
+    world: World<L::Scalar>,
+    index: u32,
+    k: L::Scalar,
+    at: &Place<L>,
+    lanes: Mask<L>,
+    rays: &Origin,
+    level: &mut Level<L::Scalar>,
+) {
+    let left = match world.scene.numerics {
+        Numerics::Robust => index,
+        Numerics::Textbook => NONE,
+    };
+    let mut next = Mirrored { origin: at.start, direction: at.mirrored, weight: None, k, left };
+    let mut goes_on = lanes;
+    if world.scene.min_weight > L::Scalar::ZERO {
+        let weight = match rays {
+            Origin::Packet(packet) => L::from_array(*level.wave.weight(*packet)),
+            Origin::Single(slots, live) => {
+                let mut weight = [L::Scalar::ZERO; LANES];
+                for (weight, &slot) in weight.iter_mut().zip(&slots[..*live]) {
+                    *weight = level.wave.weight(slot as usize / LANES)[slot as usize % LANES];
+                }
+                L::from_array(weight)
+            }
+        };
+        let product = weight * L::splat(k);
+        goes_on = goes_on & product.ge(L::splat(world.scene.min_weight));
+        next.weight = Some(product);
+    }
+    match rays {
+        Origin::Packet(packet) if goes_on.all() => {
+            level.next.push_packet(&next, *packet, level.next_pending);
+        }
+        Origin::Packet(packet) => {
+            let mut slots: [Slot; LANES] = [0; LANES];
+            for (lane, slot) in slots.iter_mut().enumerate() {
+                *slot = (packet * LANES + lane) as Slot;
+            }
+            level.next.push_lanes(&next, goes_on, &slots, level.next_pending);
+        }
+        Origin::Single(slots, _) => {
+            level.next.push_lanes(&next, goes_on, slots, level.next_pending);
+        }
+    }
 }

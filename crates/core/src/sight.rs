@@ -8,9 +8,9 @@
 //! u = 6e-8, an eye ray's direction is within 8u of the exact one, for each of its three terms
 //! is at most as long as their sum. The vector from a ball's centre to the foot of the
 //! perpendicular is within 10u |c|, and its square and r^2 within 4u relative; a flat's slope
-//! is within 4u |lean|.
+//! is within 4u |lean|. In f64 they are off by 2^-29 of that: the same bounds hold all the more.
 
-use catoptric_scene::{Compiled, EyeRays, Shape};
+use catoptric_scene::{Compiled, EyeRays, Scalar, Shape};
 use glam::DVec3;
 
 /// What bounds are widened by: 2e-6 is above 30u.
@@ -33,7 +33,7 @@ pub(crate) struct Sights {
 }
 
 impl Sights {
-    pub(crate) fn new(scene: &Compiled) -> Self {
+    pub(crate) fn new<S: Scalar>(scene: &Compiled<S>) -> Self {
         let sights = scene.primitives.iter().map(|primitive| sight(&primitive.shape)).collect();
         Self { sights, all: (0..).zip(&scene.primitives).map(|(index, _)| index).collect() }
     }
@@ -46,11 +46,11 @@ impl Sights {
     /// Puts the indices of the primitives that a tile's eye rays can meet into `candidates`.
     ///
     /// The tile is given by the positions of its columns and rows on the image plane.
-    pub(crate) fn candidates(
+    pub(crate) fn candidates<S: Scalar>(
         &self,
-        eye: &EyeRays,
-        columns: &[f32],
-        rows: &[f32],
+        eye: &EyeRays<S>,
+        columns: &[S],
+        rows: &[S],
         candidates: &mut Vec<u32>,
     ) {
         candidates.clear();
@@ -72,10 +72,10 @@ impl TileCone {
     ///
     /// A cone cuts a convex figure out of the image plane, so one that holds the tile's
     /// corners holds the tile.
-    fn new(eye: &EyeRays, columns: &[f32], rows: &[f32]) -> Option<Self> {
-        let ends = |line: &[f32]| Some([*line.first()?, *line.last()?].map(f64::from));
+    fn new<S: Scalar>(eye: &EyeRays<S>, columns: &[S], rows: &[S]) -> Option<Self> {
+        let ends = |line: &[S]| Some([*line.first()?, *line.last()?].map(S::to_f64));
         let (columns, rows) = (ends(columns)?, ends(rows)?);
-        let [right, up, forward] = [eye.right, eye.up, eye.forward].map(|v| v.as_dvec3());
+        let [right, up, forward] = [eye.right, eye.up, eye.forward].map(in_f64::<S>);
         let direction = |x: f64, y: f64| (forward + right * x + up * y).normalize();
         let axis = direction((columns[0] + columns[1]) / 2.0, (rows[0] + rows[1]) / 2.0);
         let mut cos = 1.0;
@@ -102,12 +102,18 @@ impl TileCone {
     }
 }
 
-fn sight(shape: &Shape) -> Sight {
+#[inline(always)]
+pub(crate) fn in_f64<S: Scalar>(v: S::Vec3) -> DVec3 {
+    let [x, y, z] = v.into();
+    DVec3::new(x.to_f64(), y.to_f64(), z.to_f64())
+}
+
+fn sight<S: Scalar>(shape: &Shape<S>) -> Sight {
     match shape {
         Shape::Ball(ball) if !ball.is_around() => {
-            let center = ball.center.as_dvec3();
+            let center = in_f64::<S>(ball.center);
             let distance = center.length();
-            let sin = f64::from(ball.radius) * (1.0 + MARGIN) / distance + MARGIN;
+            let sin = ball.radius.to_f64() * (1.0 + MARGIN) / distance + MARGIN;
             if sin < 1.0 {
                 Sight::Cone { axis: center / distance, cos: (1.0 - sin * sin).sqrt(), sin }
             } else {
@@ -115,7 +121,7 @@ fn sight(shape: &Shape) -> Sight {
             }
         }
         Shape::Flat(flat) if !flat.is_around() => {
-            let lean = flat.lean.as_dvec3();
+            let lean = in_f64::<S>(flat.lean);
             lean.try_normalize().map_or(Sight::Always, |axis| Sight::Half { axis })
         }
         _ => Sight::Always,

@@ -1,51 +1,63 @@
-//! The stack: what every level still owes, and what was counted there.
+//! The stack: what every level of a tile still owes, and what was counted there.
 //!
-//! A mirror has one child, so the stack is a chain: the ray in flight (origin, direction,
-//! weight, depth) is held once, in the loop, and a level below it keeps only what it needs
-//! when the colour comes back. That is (local colour, k), 16 bytes a ray and level.
+//! A mirror has one child, so each eye ray's stack is a chain, and the rays in flight (origin,
+//! direction, weight) are held once, in the waves. A level below them keeps of each ray only
+//! what it needs when a colour comes back: the colour so far, and what the level above takes of
+//! it, k, for which ray. That is 20 bytes a ray and level in f32.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use catoptric_scene::{Counts, DepthCount};
 
-use crate::lanes::{LANES, Lanes};
-use crate::vec3::Vec3;
+use crate::lanes::{LANES, Lane, Lanes};
+use crate::vec3::{Packed, Vec3};
+use crate::wave::{PACKETS, Slot};
 
-/// A bounce whose colour is not yet complete: colour = local + k · (what comes back).
-///
-/// Lanes that met nothing hold the background and k = 0; lanes without a ray hold 0 and 0,
-/// so that folding them changes nothing.
-#[derive(Clone, Copy)]
-pub(crate) struct PendingBounce<L> {
-    pub(crate) local: Vec3<L>,
-    pub(crate) k: L,
-}
+/// Bytes of a stack that a ray takes at each level, in f32.
+pub const RAY_LEVEL_BYTES: usize = size_of::<Pending<f32>>() / LANES;
 
-impl<L: Lanes> PendingBounce<L> {
-    /// Nothing owed.
-    #[inline(always)]
-    pub(crate) fn none() -> Self {
-        Self { local: Vec3::zero(), k: L::splat(0.0) }
-    }
-
-    /// The colour, once `back` has come back.
-    #[inline(always)]
-    pub(crate) fn fold(self, back: Vec3<L>) -> Vec3<L> {
-        self.local + back * self.k
-    }
-}
-
-/// A pending bounce in memory: red, green, blue, k; eight lanes each.
+/// Eight rays whose colour is not yet complete.
 #[derive(Clone, Copy)]
 #[repr(align(32))]
-struct Level([[f32; LANES]; 4]);
+pub(crate) struct Pending<S> {
+    /// Local light, or the background; complete once all deeper levels are folded back.
+    pub(crate) colour: Packed<S>,
+    /// How much of it goes back to the level above.
+    pub(crate) k: [S; LANES],
+    /// To which rays of that level.
+    pub(crate) parents: [Slot; LANES],
+    /// The parents are a packet, lane by lane.
+    pub(crate) side_by_side: bool,
+    pub(crate) live: u32,
+}
 
-/// The stack of one thread. It grows as rays go deep and is kept between packets.
-pub(crate) struct Stack<'a> {
+impl<S: Lane> Pending<S> {
+    pub(crate) const EMPTY: Self = Self {
+        colour: [[S::ZERO; LANES]; 3],
+        k: [S::ZERO; LANES],
+        parents: [0; LANES],
+        side_by_side: false,
+        live: 0,
+    };
+}
+
+/// The stack of one thread. It grows as rays go deep and is kept between tiles.
+pub(crate) struct Stack<'a, S: Lane> {
+    /// All levels down to the one in flight, one after another.
+    packets: Vec<Pending<S>>,
+    /// How many packets that is.
+    len: usize,
     levels: Vec<Level>,
-    counts: Vec<DepthCount>,
     depth: usize,
     budget: &'a Budget,
+    granted: usize,
+}
+
+#[derive(Clone, Copy, Default)]
+struct Level {
+    /// Its first packet.
+    start: usize,
+    count: DepthCount,
 }
 
 /// Bytes that the stacks of all threads may take.
@@ -70,84 +82,155 @@ impl Budget {
     }
 }
 
-impl<'a> Stack<'a> {
-    /// What one level takes, its counter included.
-    const LEVEL_BYTES: usize = size_of::<Level>() + size_of::<DepthCount>();
-
+impl<'a, S: Lane> Stack<'a, S> {
     /// Levels of a new stack.
     const FIRST: usize = 32;
 
-    /// An empty stack. Its first levels are always granted.
+    /// An empty stack. Its first levels, each of a whole tile, are always granted.
     pub(crate) fn new(budget: &'a Budget) -> Self {
         Self {
-            levels: vec![Level([[0.0; LANES]; 4]); Self::FIRST],
-            counts: vec![DepthCount::default(); Self::FIRST],
+            packets: vec![Pending::EMPTY; Self::FIRST * PACKETS],
+            len: 0,
+            levels: vec![Level::default(); Self::FIRST],
             depth: 0,
             budget,
+            granted: 0,
         }
     }
 
-    /// Makes room for the level of the ray in flight; false if the limit forbids it.
+    /// Makes room for a level of at most so many packets below the one in flight; false if the
+    /// limit forbids it.
     #[inline(always)]
-    pub(crate) fn make_room(&mut self) -> bool {
-        self.depth < self.levels.len() || self.grow()
+    pub(crate) fn make_room(&mut self, packets: usize) -> bool {
+        (self.len + packets <= self.packets.len() && self.depth + 1 < self.levels.len())
+            || self.grow(packets)
     }
 
-    /// Doubles the stack. Out of line: it holds no lanes.
+    /// Doubles what is full. Out of line: it holds no lanes.
     #[cold]
     #[inline(never)]
-    fn grow(&mut self) -> bool {
-        let more = self.levels.len();
-        let granted = self.budget.take(more * Self::LEVEL_BYTES)
-            && self.levels.try_reserve_exact(more).is_ok()
-            && self.counts.try_reserve_exact(more).is_ok();
-        if granted {
-            self.levels.resize(2 * more, Level([[0.0; LANES]; 4]));
-            self.counts.resize(2 * more, DepthCount::default());
+    fn grow(&mut self, packets: usize) -> bool {
+        let full = self.len + packets > self.packets.len();
+        let more_packets = if full { self.packets.len() } else { 0 };
+        let full = self.depth + 1 >= self.levels.len();
+        let more_levels = if full { self.levels.len() } else { 0 };
+        let bytes = more_packets * size_of::<Pending<S>>() + more_levels * size_of::<Level>();
+        if !self.budget.take(bytes) {
+            return false;
         }
-        granted
+        self.granted += bytes;
+        let reserved = self.packets.try_reserve_exact(more_packets).is_ok()
+            && self.levels.try_reserve_exact(more_levels).is_ok();
+        if reserved {
+            self.packets.resize(self.packets.len() + more_packets, Pending::EMPTY);
+            self.levels.resize(self.levels.len() + more_levels, Level::default());
+        }
+        reserved
     }
 
-    /// The counters of the ray in flight. Needs room.
+    /// Puts a level of so many eye rays' packets in place of all there is.
+    #[inline(always)]
+    pub(crate) fn start(&mut self, packets: usize) -> &mut DepthCount {
+        self.len = packets;
+        self.depth = 0;
+        self.count()
+    }
+
+    #[inline(always)]
+    pub(crate) fn depth(&self) -> usize {
+        self.depth
+    }
+
+    /// The counters of the level in flight.
     #[inline(always)]
     pub(crate) fn count(&mut self) -> &mut DepthCount {
-        &mut self.counts[self.depth]
+        &mut self.levels[self.depth].count
     }
 
-    /// Puts the level of the ray in flight down. Needs room.
+    /// The level in flight, and room for the next.
     #[inline(always)]
-    pub(crate) fn push<L: Lanes>(&mut self, bounce: PendingBounce<L>) {
-        let PendingBounce { local, k } = bounce;
-        self.levels[self.depth] =
-            Level([local.x.to_array(), local.y.to_array(), local.z.to_array(), k.to_array()]);
+    pub(crate) fn level_and_next(&mut self) -> (&mut [Pending<S>], &mut [Pending<S>]) {
+        let (levels, next) = self.packets.split_at_mut(self.len);
+        (&mut levels[self.levels[self.depth].start..], next)
+    }
+
+    /// The level in flight.
+    #[inline(always)]
+    pub(crate) fn level(&self) -> &[Pending<S>] {
+        &self.packets[self.levels[self.depth].start..self.len]
+    }
+
+    /// The level above the one in flight.
+    #[inline(always)]
+    pub(crate) fn level_above(&self) -> &[Pending<S>] {
+        let above = self.levels[self.depth - 1].start;
+        &self.packets[above..self.levels[self.depth].start]
+    }
+
+    /// Room for the next level.
+    #[inline(always)]
+    pub(crate) fn next(&self) -> &[Pending<S>] {
+        &self.packets[self.len..]
+    }
+
+    /// The next level, of so many packets, is in flight.
+    #[inline(always)]
+    pub(crate) fn descend(&mut self, packets: usize) {
         self.depth += 1;
+        self.levels[self.depth].start = self.len;
+        self.len += packets;
     }
 
-    /// Takes the deepest level off.
+    /// Folds the level in flight back: colour = local + k · what comes back, as the recursion
+    /// forms it. The level above is then the one in flight.
     #[inline(always)]
-    pub(crate) fn pop<L: Lanes>(&mut self) -> Option<PendingBounce<L>> {
-        self.depth = self.depth.checked_sub(1)?;
-        let [x, y, z, k] = self.levels[self.depth].0.map(L::from_array);
-        Some(PendingBounce { local: Vec3 { x, y, z }, k })
-    }
-
-    /// Forgets all levels, for a path that is given up.
-    pub(crate) fn clear(&mut self) {
-        self.depth = 0;
+    pub(crate) fn fold<L: Lanes<Scalar = S>>(&mut self) {
+        let start = self.levels[self.depth].start;
+        self.depth -= 1;
+        let (levels, level) = self.packets[..self.len].split_at_mut(start);
+        let parents = &mut levels[self.levels[self.depth].start..];
+        for pending in &*level {
+            let (back, k) = (Vec3::<L>::from_arrays(&pending.colour), L::from_array(pending.k));
+            if pending.side_by_side {
+                let colour = &mut parents[pending.parents[0] as usize / LANES].colour;
+                *colour = fold(Vec3::from_arrays(colour), k, back).to_arrays();
+                continue;
+            }
+            let places = &pending.parents[..LANES.min(pending.live as usize)];
+            let mut local = [[S::ZERO; LANES]; 3];
+            for (lane, &slot) in places.iter().enumerate() {
+                let parent = &parents[slot as usize / LANES].colour;
+                for axis in 0..3 {
+                    local[axis][lane] = parent[axis][slot as usize % LANES];
+                }
+            }
+            let colour = fold(Vec3::from_arrays(&local), k, back).to_arrays();
+            for (lane, &slot) in places.iter().enumerate() {
+                let parent = &mut parents[slot as usize / LANES].colour;
+                for axis in 0..3 {
+                    parent[axis][slot as usize % LANES] = colour[axis][lane];
+                }
+            }
+        }
+        self.len = start;
     }
 
     /// Adds what this stack counted and counts from 0 again.
     pub(crate) fn take_counts(&mut self) -> Counts {
-        let used = self.counts.iter().rposition(|c| c.rays > 0).map_or(0, |last| last + 1);
-        let depths = self.counts[..used].to_vec();
-        self.counts[..used].fill(DepthCount::default());
-        Counts { depths }
+        let used = self.levels.iter().rposition(|l| l.count.rays > 0).map_or(0, |last| last + 1);
+        let take = |level: &mut Level| std::mem::take(&mut level.count);
+        Counts { depths: self.levels[..used].iter_mut().map(take).collect() }
     }
 }
 
-impl Drop for Stack<'_> {
+/// The colour of a ray whose mirrored ray came back.
+#[inline(always)]
+fn fold<L: Lanes>(local: Vec3<L>, k: L, back: Vec3<L>) -> Vec3<L> {
+    local + back * k
+}
+
+impl<S: Lane> Drop for Stack<'_, S> {
     fn drop(&mut self) {
-        let grown = self.levels.len() - Self::FIRST;
-        self.budget.give_back(grown * Self::LEVEL_BYTES);
+        self.budget.give_back(self.granted);
     }
 }

@@ -1,98 +1,158 @@
 //! A tile of the picture: packets of eight pixels side by side, partial ones at the right edge.
 
-use catoptric_scene::Compiled;
-
-use crate::lanes::{Kernel, LANES, Lanes, Mask};
-use crate::packet::{Candidates, NONE, Rays, TooDeep, trace};
+use crate::lanes::{Kernel, LANES, Lane, Lanes};
+use crate::packet::{TooDeep, Work, World, trace};
 use crate::stack::Stack;
 use crate::vec3::Vec3;
+use crate::wave::PACKETS;
 
 /// Columns of a tile: few enough that most tiles show few primitives, many enough that finding
 /// out which costs little.
-pub(crate) const WIDTH: usize = 64;
+pub(crate) const WIDTH: usize = 32;
 
 /// Rows of a tile.
-pub(crate) const HEIGHT: usize = 8;
+pub(crate) const HEIGHT: usize = PACKETS * LANES / WIDTH;
 
 /// The work of one thread at a time.
-pub(crate) struct Tile<'a, 'b> {
-    pub(crate) scene: &'a Compiled,
-    pub(crate) candidates: Candidates<'a>,
+pub(crate) struct Tile<'a, 'b, S: Lane> {
+    pub(crate) world: World<'a, S>,
     /// Samples a side.
     pub(crate) samples: usize,
     /// Horizontal positions of the tile's sub-columns, `samples` a column.
-    pub(crate) columns: &'a [f32],
+    pub(crate) columns: &'a [S],
     /// Vertical positions of the tile's sub-rows, `samples` a row.
-    pub(crate) rows: &'a [f32],
+    pub(crate) rows: &'a [S],
     /// Whole rows of the picture, `width` pixels each; the tile begins at column `left`.
-    pub(crate) pixels: &'a mut [[f32; 3]],
+    pub(crate) pixels: &'a mut [[S; 3]],
     pub(crate) width: usize,
     pub(crate) left: usize,
-    pub(crate) stack: &'a mut Stack<'b>,
+    pub(crate) work: &'a mut Work<S>,
+    pub(crate) stack: &'a mut Stack<'b, S>,
 }
 
-impl Kernel for Tile<'_, '_> {
-    type Output = Result<(), TooDeep>;
+impl<S: Lane> Kernel for Tile<'_, '_, S> {
+    type Scalar = S;
+    /// Whether no eye ray can meet anything, so that all pixels are the same.
+    type Output = Result<bool, TooDeep>;
 
     #[inline(always)]
-    fn run<L: Lanes>(self) -> Result<(), TooDeep> {
-        let Self { scene, candidates, samples: n, columns, left, stack, .. } = self;
-        let right = left + columns.len() / n;
-        let rows = self.pixels.chunks_exact_mut(self.width).zip(self.rows.chunks_exact(n));
-        for (row, sub_rows) in rows {
-            let packets = row[left..right].chunks_mut(LANES);
-            for (pixels, sub_columns) in packets.zip(columns.chunks(LANES * n)) {
-                let live = pixels.len();
-                let colour = packet::<L>(scene, candidates, sub_columns, sub_rows, live, stack)?;
-                let (r, g, b) = (colour.x.to_array(), colour.y.to_array(), colour.z.to_array());
-                for (pixel, ((r, g), b)) in pixels.iter_mut().zip(r.into_iter().zip(g).zip(b)) {
-                    *pixel = [r, g, b];
+    fn run<L: Lanes<Scalar = S>>(mut self) -> Result<bool, TooDeep> {
+        if self.world.candidates.eye.is_empty() {
+            self.show_background::<L>();
+            return Ok(true);
+        }
+        let n = self.samples;
+        // One sample is the mean: 0 + c is c, and so is c / 1.
+        if n == 1 {
+            self.trace::<L>(0, 0)?;
+        } else {
+            self.mean::<L>()?;
+        }
+        self.write::<L>();
+        Ok(false)
+    }
+}
+
+impl<S: Lane> Tile<'_, '_, S> {
+    /// No eye ray meets anything: every sample is the background.
+    #[inline(always)]
+    fn show_background<L: Lanes<Scalar = S>>(&mut self) {
+        self.stack.start(0).rays += (self.columns.len() * self.rows.len()) as u64;
+        let mut colour = self.world.scene.background.into();
+        if self.samples > 1 {
+            let samples = self.samples * self.samples;
+            let background = Vec3::<L>::splat(self.world.scene.background);
+            let mut sum = Vec3::zero();
+            for _ in 0..samples {
+                sum = sum + background;
+            }
+            colour = sum.over(L::constant(samples as f64)).first();
+        }
+        let right = self.left + self.columns.len() / self.samples;
+        for row in self.pixels.chunks_exact_mut(self.width) {
+            row[self.left..right].fill(colour);
+        }
+    }
+
+    /// The mean of all samples, summed from 0 row by row: in level 0 of the stack.
+    #[inline(always)]
+    fn mean<L: Lanes<Scalar = S>>(&mut self) -> Result<(), TooDeep> {
+        let n = self.samples;
+        let zero = Vec3::<L>::zero();
+        for sum in &mut *self.work.sums {
+            *sum = zero.to_arrays();
+        }
+        for j in 0..n {
+            for i in 0..n {
+                self.trace::<L>(i, j)?;
+                for (sum, sample) in self.work.sums.iter_mut().zip(self.stack.level()) {
+                    let sample = Vec3::<L>::from_arrays(&sample.colour);
+                    *sum = (Vec3::from_arrays(sum) + sample).to_arrays();
                 }
             }
         }
+        let samples = L::constant((n * n) as f64);
+        for (pending, sum) in self.stack.level_and_next().0.iter_mut().zip(&*self.work.sums) {
+            pending.colour = Vec3::<L>::from_arrays(sum).over(samples).to_arrays();
+        }
         Ok(())
     }
-}
 
-/// The mean of the samples of `live` pixels, summed from 0 row by row.
-///
-/// Shape: `sub_columns[lane * n + i]`, `sub_rows[j]`. Idle lanes stand on the last pixel.
-#[inline(always)]
-fn packet<L: Lanes>(
-    scene: &Compiled,
-    candidates: Candidates,
-    sub_columns: &[f32],
-    sub_rows: &[f32],
-    live: usize,
-    stack: &mut Stack,
-) -> Result<Vec3<L>, TooDeep> {
-    if let (&[row], Ok(columns)) = (sub_rows, <[f32; LANES]>::try_from(sub_columns)) {
-        // One sample: 0 + c is c, and so is c / 1.
-        let rays = eye_rays(scene, L::from_array(columns), L::splat(row));
-        return trace(scene, candidates, rays, Mask::first(LANES), stack);
-    }
-    let n = sub_rows.len();
-    let mut sum = Vec3::zero();
-    for &row in sub_rows {
-        for i in 0..n {
-            let mut columns = [0.0; LANES];
-            for (lane, column) in columns.iter_mut().enumerate() {
-                *column = sub_columns[lane.min(live - 1) * n + i];
+    /// Traces sample (i, j) of each pixel. Lanes beyond the picture's edge repeat the last pixel.
+    #[inline(always)]
+    fn trace<L: Lanes<Scalar = S>>(&mut self, i: usize, j: usize) -> Result<(), TooDeep> {
+        let eye = &self.world.scene.eye;
+        let (right, up) = (Vec3::<L>::splat(eye.right), Vec3::splat(eye.up));
+        let mut len = 0;
+        for (across, columns) in
+            self.work.across.iter_mut().zip(self.columns.chunks(LANES * self.samples))
+        {
+            let live = columns.len() / self.samples;
+            let mut lanes = [S::ZERO; LANES];
+            for (lane, column) in lanes.iter_mut().enumerate() {
+                *column = columns[lane.min(live - 1) * self.samples + i];
             }
-            let rays = eye_rays(scene, L::from_array(columns), L::splat(row));
-            sum = sum + trace(scene, candidates, rays, Mask::first(live), stack)?;
+            let at = Vec3::splat(eye.forward) + right * L::from_array(lanes);
+            *across = (at.to_arrays(), live);
+            len += 1;
+        }
+        let Work { waves: [wave, ..], across, .. } = &mut *self.work;
+        wave.clear();
+        for rows in self.rows.chunks_exact(self.samples) {
+            let up = up * L::splat(rows[j]);
+            for (across, live) in &across[..len] {
+                wave.push_eye(unit(Vec3::from_arrays(across) + up), *live);
+            }
+        }
+        trace::<L>(self.world, self.work, self.stack, &mut ())
+    }
+
+    /// Writes the colours of level 0.
+    #[inline(always)]
+    fn write<L: Lanes<Scalar = S>>(&mut self) {
+        let right = self.left + self.columns.len() / self.samples;
+        let mut colours = self.stack.level().iter();
+        for row in self.pixels.chunks_exact_mut(self.width) {
+            let (whole, rest) = row[self.left..right].as_chunks_mut();
+            for (pixels, colour) in whole.iter_mut().zip(&mut colours) {
+                let Vec3 { x, y, z } = Vec3::<L>::from_arrays(&colour.colour);
+                L::interleave(x, y, z, pixels);
+            }
+            if rest.is_empty() {
+                continue;
+            }
+            if let Some(colour) = colours.next() {
+                let [x, y, z] = colour.colour;
+                for (lane, pixel) in rest.iter_mut().enumerate() {
+                    *pixel = [x[lane], y[lane], z[lane]];
+                }
+            }
         }
     }
-    let samples = L::splat((n * n) as f32);
-    Ok(Vec3 { x: sum.x / samples, y: sum.y / samples, z: sum.z / samples })
 }
 
-/// The rays from the eye through points of the image plane.
+/// The direction of an eye ray, as a unit vector.
 #[inline(always)]
-fn eye_rays<L: Lanes>(scene: &Compiled, column: L, row: L) -> Rays<L> {
-    let eye = &scene.eye;
-    let (right, up) = (Vec3::splat(eye.right), Vec3::splat(eye.up));
-    let d = Vec3::splat(eye.forward) + right * column + up * row;
-    let direction = d * (L::splat(1.0) / d.length());
-    Rays { origin: Vec3::zero(), direction, left: L::index(NONE) }
+pub(crate) fn unit<L: Lanes>(d: Vec3<L>) -> Vec3<L> {
+    d * (L::constant(1.0) / d.length())
 }

@@ -2,9 +2,9 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use glam::Vec3 as Scalar;
+use catoptric_scene::Scalar;
 
-use crate::lanes::{Lanes, Mask};
+use crate::lanes::{LANES, Lanes, Mask};
 
 /// Eight vectors, structure of arrays. Operations are glam's, lane by lane.
 #[derive(Clone, Copy)]
@@ -14,16 +14,58 @@ pub(crate) struct Vec3<L> {
     pub(crate) z: L,
 }
 
+/// Eight vectors in memory: x, y, z; eight lanes each.
+pub(crate) type Packed<S> = [[S; LANES]; 3];
+
 impl<L: Lanes> Vec3<L> {
+    #[inline(always)]
+    pub(crate) fn from_arrays(&[x, y, z]: &Packed<L::Scalar>) -> Self {
+        Self { x: L::from_array(x), y: L::from_array(y), z: L::from_array(z) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn to_arrays(self) -> Packed<L::Scalar> {
+        [self.x.to_array(), self.y.to_array(), self.z.to_array()]
+    }
+
     /// The same vector in every lane.
     #[inline(always)]
-    pub(crate) fn splat(v: Scalar) -> Self {
-        Self { x: L::splat(v.x), y: L::splat(v.y), z: L::splat(v.z) }
+    pub(crate) fn splat(v: <L::Scalar as Scalar>::Vec3) -> Self {
+        let [x, y, z] = v.into();
+        Self { x: L::splat(x), y: L::splat(y), z: L::splat(z) }
     }
 
     #[inline(always)]
     pub(crate) fn zero() -> Self {
-        Self::splat(Scalar::ZERO)
+        Self::all(L::constant(0.0))
+    }
+
+    #[inline(always)]
+    pub(crate) fn all(x: L) -> Self {
+        Self { x, y: x, z: x }
+    }
+
+    #[inline(always)]
+    pub(crate) fn least(self, other: Self) -> Self {
+        Self { x: self.x.least(other.x), y: self.y.least(other.y), z: self.z.least(other.z) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn most(self, other: Self) -> Self {
+        Self { x: self.x.most(other.x), y: self.y.most(other.y), z: self.z.most(other.z) }
+    }
+
+    /// Each component divided.
+    #[inline(always)]
+    pub(crate) fn over(self, divisor: L) -> Self {
+        Self { x: self.x / divisor, y: self.y / divisor, z: self.z / divisor }
+    }
+
+    /// The vector in lane 0.
+    #[inline(always)]
+    pub(crate) fn first(self) -> [L::Scalar; 3] {
+        let [[x, ..], [y, ..], [z, ..]] = self.to_arrays();
+        [x, y, z]
     }
 
     /// (x + y) + z.

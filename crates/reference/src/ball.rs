@@ -11,16 +11,16 @@
 //! and costs 6 % of the frame.
 
 use catoptric_scene::Ball;
-use glam::Vec3;
 
-use crate::trace::{Ray, Surface, not_behind, positive};
+use super::real::{Real, Vec3};
+use super::trace::{Ray, Surface, not_behind, positive};
 
 /// Distance to the ball, if the ray meets it. `own`: the ray starts on this ball.
 ///
 /// Edge: a tangent ray hits. From outside only the near root counts, and only on the
 /// way in. A ball around the eye is always hit, at its far root; on the way from itself
 /// that is the other end of the chord, 2b.
-pub(crate) fn distance(ball: &Ball, ray: Ray, own: bool) -> Option<f32> {
+pub(crate) fn distance(ball: &Ball<Real>, ray: Ray, own: bool) -> Option<Real> {
     let f = ball.center - ray.origin;
     let b = f.dot(ray.direction);
     let x = ray.direction * b - f;
@@ -33,7 +33,7 @@ pub(crate) fn distance(ball: &Ball, ray: Ray, own: bool) -> Option<f32> {
 }
 
 /// Where a ray meets it at distance `t`, put back on the sphere.
-pub(crate) fn surface(ball: &Ball, ray: Ray, t: f32, id: usize) -> Surface {
+pub(crate) fn surface(ball: &Ball<Real>, ray: Ray, t: Real, id: usize) -> Surface {
     let f = ball.center - ray.origin;
     let x = ray.direction * t - f;
     let outward = x * (1.0 / x.length());
@@ -47,7 +47,7 @@ pub(crate) fn surface(ball: &Ball, ray: Ray, t: f32, id: usize) -> Surface {
 /// No root is needed: with both ends outside, the segment meets the ball exactly if the
 /// foot of the perpendicular lies within the segment and within the ball. A ball around the
 /// eye holds all points and lamps (but hidden ones) and is convex: it hides none from another.
-pub(crate) fn occludes(ball: &Ball, ray: Ray, distance: f32) -> bool {
+pub(crate) fn occludes(ball: &Ball<Real>, ray: Ray, distance: Real) -> bool {
     let f = ball.center - ray.origin;
     let b = f.dot(ray.direction);
     let x: Vec3 = ray.direction * b - f;

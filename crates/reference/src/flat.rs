@@ -6,15 +6,15 @@
 //! around the eye, however large the sphere. A plane is the case of curvature 0.
 
 use catoptric_scene::Flat;
-use glam::Vec3;
 
-use crate::trace::{Ray, Surface, not_behind, positive};
+use super::real::{Real, Vec3};
+use super::trace::{Ray, Surface, not_behind, positive};
 
 /// Distance to the surface, if the ray meets it. `own`: the ray starts on this surface.
 ///
 /// Edge: as for a ball. The root is formed from whichever of its two expressions does not
 /// cancel.
-pub(crate) fn distance(flat: &Flat, ray: Ray, own: bool) -> Option<f32> {
+pub(crate) fn distance(flat: &Flat<Real>, ray: Ray, own: bool) -> Option<Real> {
     let (gradient, height) = gradient_and_height(flat, ray.origin);
     let slope = gradient.dot(ray.direction);
     if flat.is_around() {
@@ -30,8 +30,15 @@ pub(crate) fn distance(flat: &Flat, ray: Ray, own: bool) -> Option<f32> {
 }
 
 /// Where a ray meets it at distance `t`.
-pub(crate) fn surface(flat: &Flat, ray: Ray, t: f32, id: usize) -> Surface {
-    let point = ray.origin + ray.direction * t;
+///
+/// Inside a sphere rays meet it again and again, and the rounding of their points would add up
+/// until they have left it: there the point is put back, by one Newton step down its height.
+pub(crate) fn surface(flat: &Flat<Real>, ray: Ray, t: Real, id: usize) -> Surface {
+    let mut point = ray.origin + ray.direction * t;
+    if flat.is_around() {
+        let (gradient, height) = gradient_and_height(flat, point);
+        point -= gradient * (0.5 * height);
+    }
     let normal = point * flat.curvature - flat.lean;
     Surface { point, normal, start: point, left: Some(id) }
 }
@@ -42,7 +49,7 @@ pub(crate) fn surface(flat: &Flat, ray: Ray, t: f32, id: usize) -> Surface {
 /// As for a ball, without a root: the height falls at the point, rises at the lamp, and is
 /// not positive at its least between. For a plane the slope never changes, so it hides none;
 /// neither does a sphere around the eye.
-pub(crate) fn occludes(flat: &Flat, ray: Ray, distance: f32) -> bool {
+pub(crate) fn occludes(flat: &Flat<Real>, ray: Ray, distance: Real) -> bool {
     let (gradient, height) = gradient_and_height(flat, ray.origin);
     let slope = gradient.dot(ray.direction);
     let discriminant = slope * slope - flat.curvature * height;
@@ -50,7 +57,7 @@ pub(crate) fn occludes(flat: &Flat, ray: Ray, distance: f32) -> bool {
 }
 
 /// N(x) and 2g(x), the latter as (N(x) - lean)·x + offset.
-fn gradient_and_height(flat: &Flat, x: Vec3) -> (Vec3, f32) {
+fn gradient_and_height(flat: &Flat<Real>, x: Vec3) -> (Vec3, Real) {
     let gradient = x * flat.curvature - flat.lean;
     (gradient, (gradient - flat.lean).dot(x) + flat.offset)
 }

@@ -1,4 +1,5 @@
-//! The ray tracer as a workshop writes it: a recursion over mirrors, in f32.
+//! The ray tracer as a workshop writes it: a recursion over mirrors, in f32. [`double`] is the
+//! same recursion in f64.
 //!
 //! This is the specification. Read [`trace`](mod@trace) first; then the shapes in the order
 //! `textbook`, `ball`, `flat`. The packet engine does the same operations in the same order,
@@ -9,12 +10,26 @@
 //! formulas are written so that a NaN distance is a miss.
 
 mod ball;
+mod depth;
+pub mod double;
 mod flat;
+pub mod path;
 mod power;
 mod render;
 mod textbook;
 pub mod trace;
 pub mod truth;
 
+pub use depth::{DEPTH_ALLOWED, STACK_BYTES, TooDeep};
 pub use power::power;
-pub use render::{DEPTH_ALLOWED, STACK_BYTES, TooDeep, render};
+pub use render::render;
+
+/// What the recursion's numbers are. In [`double`] the same names mean f64.
+mod real {
+    pub(crate) use std::f32::consts;
+
+    pub(crate) use glam::Vec3;
+
+    pub(crate) type Real = f32;
+    pub(crate) type Bits = u32;
+}

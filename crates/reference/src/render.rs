@@ -3,40 +3,26 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use catoptric_scene::{Compiled, Counts, Film, Grid};
-use glam::Vec3;
 use rayon::prelude::*;
 
-use crate::trace::{Ray, Tracer};
-
-/// The deepest path that the recursion follows.
-pub const DEPTH_ALLOWED: u32 = 100_000;
-
-/// The stack, in bytes, that a thread needs for a path of [`DEPTH_ALLOWED`]: the recursion
-/// keeps one frame a mirror on it, with room for the larger frames of a debug build.
-pub const STACK_BYTES: usize = 256 << 20;
-
-/// A path that would have overflowed the stack.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "a path has more than {} reflections, which the recursion's stack does not hold",
-    DEPTH_ALLOWED
-)]
-pub struct TooDeep;
+use super::real::{Real, Vec3};
+use super::trace::{Ray, Tracer};
+use crate::depth::TooDeep;
 
 /// Renders a view into a film of its size, on rayon's current threads.
 ///
-/// Their stacks must hold [`STACK_BYTES`] where paths may go deep. `rows_done` is told after
+/// Their stacks must hold [`STACK_BYTES`](crate::STACK_BYTES) where paths may go deep. `rows_done` is told after
 /// every row how many pixels were added.
 ///
 /// # Errors
-/// [`TooDeep`] if a path has more than [`DEPTH_ALLOWED`] reflections; the film is then void.
+/// [`TooDeep`] if a path has more than [`DEPTH_ALLOWED`](crate::DEPTH_ALLOWED) reflections; the film is then void.
 ///
 /// # Panics
 /// If the film's size is not the grid's.
 pub fn render(
-    scene: &Compiled,
-    grid: &Grid,
-    film: &mut Film,
+    scene: &Compiled<Real>,
+    grid: &Grid<Real>,
+    film: &mut Film<Real>,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Counts, TooDeep> {
     assert_eq!((film.width(), film.height()), (grid.width, grid.height), "the film's size");
@@ -46,7 +32,7 @@ pub fn render(
         .par_chunks_mut(grid.width as usize)
         .zip(grid.rows.par_chunks(grid.samples as usize))
         .map(|(pixels, rows)| {
-            let mut tracer = Tracer { scene, counts: Counts::default(), too_deep: false };
+            let mut tracer = Tracer::new(scene);
             let columns = grid.columns.chunks(grid.samples as usize);
             for (pixel, columns) in pixels.iter_mut().zip(columns) {
                 // The film is void; the rest of it could take hours.
@@ -68,18 +54,19 @@ pub fn render(
 
 impl Tracer<'_> {
     /// The mean of a pixel's samples, summed from 0 row by row.
-    fn pixel(&mut self, columns: &[f32], rows: &[f32]) -> Vec3 {
+    fn pixel(&mut self, columns: &[Real], rows: &[Real]) -> Vec3 {
         let mut sum = Vec3::ZERO;
         for &row in rows {
             for &column in columns {
                 sum += self.trace(self.eye_ray(column, row), 1.0, 0);
             }
         }
-        sum / (columns.len() * rows.len()) as f32
+        sum / (columns.len() * rows.len()) as Real
     }
 
-    /// The ray from the eye through a point of the image plane.
-    fn eye_ray(&self, column: f32, row: f32) -> Ray {
+    /// The ray from the eye through a point of the image plane, as [`Grid`] places it.
+    #[must_use]
+    pub fn eye_ray(&self, column: Real, row: Real) -> Ray {
         let eye = &self.scene.eye;
         let d = eye.forward + eye.right * column + eye.up * row;
         Ray { origin: Vec3::ZERO, direction: d * (1.0 / d.length()), left: None }

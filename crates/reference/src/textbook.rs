@@ -6,13 +6,14 @@
 
 use catoptric_scene::{TextbookPlane, TextbookSphere};
 
-use crate::trace::{Ray, Surface};
+use super::real::Real;
+use super::trace::{Ray, Surface};
 
 /// The workshop's offset, in units of the vector that it multiplies.
-const OFFSET: f32 = 1e-4;
+const OFFSET: Real = 1e-4;
 
 /// The nearer positive root of a t^2 + b t + c0 = 0.
-pub(crate) fn sphere_distance(sphere: &TextbookSphere, ray: Ray) -> Option<f32> {
+pub(crate) fn sphere_distance(sphere: &TextbookSphere<Real>, ray: Ray) -> Option<Real> {
     let from_center = ray.origin - sphere.center;
     let a = ray.direction.dot(ray.direction);
     let b = 2.0 * ray.direction.dot(from_center);
@@ -29,7 +30,7 @@ pub(crate) fn sphere_distance(sphere: &TextbookSphere, ray: Ray) -> Option<f32> 
 }
 
 /// n = (p - c)/|p - c|; rays start at p + (p - c)·1e-4.
-pub(crate) fn sphere_surface(sphere: &TextbookSphere, ray: Ray, t: f32) -> Surface {
+pub(crate) fn sphere_surface(sphere: &TextbookSphere<Real>, ray: Ray, t: Real) -> Surface {
     let point = ray.origin + ray.direction * t;
     let from_center = point - sphere.center;
     let normal = from_center * (1.0 / from_center.length());
@@ -37,13 +38,13 @@ pub(crate) fn sphere_surface(sphere: &TextbookSphere, ray: Ray, t: f32) -> Surfa
 }
 
 /// t = (n·point - n·o)/(n·d), where positive.
-pub(crate) fn plane_distance(plane: &TextbookPlane, ray: Ray) -> Option<f32> {
+pub(crate) fn plane_distance(plane: &TextbookPlane<Real>, ray: Ray) -> Option<Real> {
     let t = (plane.offset - plane.normal.dot(ray.origin)) / plane.normal.dot(ray.direction);
     (t > 0.0).then_some(t)
 }
 
 /// The normal faces the ray; rays start at p + n·1e-4.
-pub(crate) fn plane_surface(plane: &TextbookPlane, ray: Ray, t: f32) -> Surface {
+pub(crate) fn plane_surface(plane: &TextbookPlane<Real>, ray: Ray, t: Real) -> Surface {
     let point = ray.origin + ray.direction * t;
     let away = plane.normal.dot(ray.direction) > 0.0;
     let normal = if away { -plane.normal } else { plane.normal };

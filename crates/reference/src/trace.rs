@@ -10,10 +10,11 @@
 //! 6. colour = local + k · trace(mirrored ray)               (`trace`)
 
 use catoptric_scene::{Compiled, Counts, Numerics, Phong, Shape};
-use glam::Vec3;
 
-use crate::render::DEPTH_ALLOWED;
-use crate::{ball, flat, power, textbook};
+use super::power::power;
+use super::real::{Real, Vec3};
+use super::{ball, flat, textbook};
+use crate::depth::DEPTH_ALLOWED;
 
 /// A ray. Units: |direction| is 1, up to rounding.
 #[derive(Clone, Copy, Debug)]
@@ -39,56 +40,102 @@ pub struct Surface {
     pub left: Option<usize>,
 }
 
-/// Traces rays through one scene and counts them.
-pub(crate) struct Tracer<'a> {
-    pub(crate) scene: &'a Compiled,
-    pub(crate) counts: Counts,
-    /// Set once a path went deeper than the stack allows; the picture is then void.
-    pub(crate) too_deep: bool,
+/// What a ray finds where it meets a primitive.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit {
+    /// Index of the primitive.
+    pub primitive: usize,
+    /// From the ray's origin, in multiples of |direction|.
+    pub distance: Real,
+    /// The place.
+    pub surface: Surface,
+    /// The light that lamps send from there towards the ray's origin.
+    pub local: Vec3,
+    /// The mirror factor.
+    pub k: Real,
+    /// The ray that the mirror sends on, whether or not it is followed.
+    pub mirrored: Ray,
 }
 
-impl Tracer<'_> {
+/// Traces rays through one scene and counts them.
+///
+/// [`meet`](Self::meet) and [`follows`](Self::follows) are all that is computed for one ray;
+/// [`trace`](Self::trace) ties rays together, and is not the only way to (`crates/ladder`). They
+/// are inlined, in other crates too, or the recursion would lose a tenth of its speed.
+pub struct Tracer<'a> {
+    /// What the rays go through.
+    pub scene: &'a Compiled<Real>,
+    /// The rays so far.
+    pub counts: Counts,
+    /// Set once a path went deeper than the stack allows; the picture is then void.
+    pub too_deep: bool,
+}
+
+impl<'a> Tracer<'a> {
+    /// A tracer that has counted nothing.
+    #[must_use]
+    pub fn new(scene: &'a Compiled<Real>) -> Self {
+        Self { scene, counts: Counts::default(), too_deep: false }
+    }
+
     /// The light that comes back along a ray.
     ///
     /// `weight` is the product of the mirror factors on the way here, 1 for an eye ray;
     /// `depth` the number of mirrors on the way, 0 for an eye ray.
-    pub(crate) fn trace(&mut self, ray: Ray, weight: f32, depth: u32) -> Vec3 {
+    pub fn trace(&mut self, ray: Ray, weight: Real, depth: u32) -> Vec3 {
         if depth > DEPTH_ALLOWED {
             self.too_deep = true;
             return Vec3::ZERO;
         }
-        self.counts.at(depth).rays += 1;
-        let Some((id, distance)) = self.nearest(ray) else {
+        let Some(hit) = self.meet(ray, depth) else {
             return self.scene.background;
         };
-        self.counts.at(depth).hits += 1;
-
-        let surface = self.surface(id, ray, distance);
-        let material = self.scene.materials[self.scene.primitives[id].material as usize];
-        let direction = self.mirrored(ray.direction, surface.normal);
-        let local = self.local(&surface, &material, direction, depth);
 
         // What the mirror shows. Where it is not followed it shows black.
-        let k = material.mirror;
-        let weight = weight * k;
-        if k > 0.0 && depth < self.scene.max_depth && weight >= self.scene.min_weight {
-            let next = Ray { origin: surface.start, direction, left: surface.left };
-            local + k * self.trace(next, weight, depth + 1)
+        let weight = weight * hit.k;
+        if self.follows(hit.k, weight, depth) {
+            hit.local + hit.k * self.trace(hit.mirrored, weight, depth + 1)
         } else {
-            local
+            hit.local
         }
     }
 
+    /// What the ray meets first, if anything, and the light there. Counts the ray, the hit
+    /// and its shadow rays.
+    #[inline(always)]
+    pub fn meet(&mut self, ray: Ray, depth: u32) -> Option<Hit> {
+        self.counts.at(depth).rays += 1;
+        let (primitive, distance) = self.nearest(ray)?;
+        self.counts.at(depth).hits += 1;
+
+        let surface = self.surface(primitive, ray, distance);
+        let material = self.scene.materials[self.scene.primitives[primitive].material as usize];
+        let direction = self.mirrored(ray.direction, surface.normal);
+        let local = self.local(&surface, &material, direction, depth);
+        let mirrored = Ray { origin: surface.start, direction, left: surface.left };
+        Some(Hit { primitive, distance, surface, local, k: material.mirror, mirrored })
+    }
+
+    /// Whether a mirror of factor `k` met at `depth` is followed; `weight` is the product of
+    /// the mirror factors up to and with it.
+    #[inline(always)]
+    #[must_use]
+    pub fn follows(&self, k: Real, weight: Real, depth: u32) -> bool {
+        k > 0.0 && depth < self.scene.max_depth && weight >= self.scene.min_weight
+    }
+
     /// Ambient light plus what each visible lamp adds, in file order (Phong 1975).
-    fn local(&mut self, at: &Surface, material: &Phong, mirrored: Vec3, depth: u32) -> Vec3 {
+    #[inline(always)]
+    fn local(&mut self, at: &Surface, material: &Phong<Real>, mirrored: Vec3, depth: u32) -> Vec3 {
         let mut colour = material.ambient;
         for lamp in &self.scene.lights {
             let to_lamp = lamp.position - at.point;
             let distance = to_lamp.length();
             let l = to_lamp * (1.0 / distance);
             let facing = at.normal.dot(l);
-            // Not so for a lamp behind the surface, nor for one at the very point (NaN).
-            if facing > 0.0 {
+            // Not so for a lamp behind the surface, nor for one at the very point, or so close
+            // that the square of its distance is 0.
+            if facing > 0.0 && distance > 0.0 {
                 self.counts.at(depth).shadow += 1;
                 if !lamp.hidden && !self.occluded(at, l, distance) {
                     // r·v, r being l mirrored about n and v = -d, equals l·(d mirrored).
@@ -106,6 +153,7 @@ impl Tracer<'_> {
     /// Robust: made a unit vector again, or rounding would add up over the mirrors. Its
     /// length is 1 up to a few ulps, so one Newton step for 1/|v|, v (3 - v·v)/2, is exact
     /// to the last place and needs neither a root nor a division.
+    #[inline(always)]
     fn mirrored(&self, d: Vec3, n: Vec3) -> Vec3 {
         let v = d - n * (2.0 * d.dot(n));
         match self.scene.numerics {
@@ -115,9 +163,10 @@ impl Tracer<'_> {
     }
 
     /// The primitive that the ray meets first, and its distance. The first of equals wins.
-    fn nearest(&self, ray: Ray) -> Option<(usize, f32)> {
+    #[inline(always)]
+    fn nearest(&self, ray: Ray) -> Option<(usize, Real)> {
         let mut nearest = None;
-        let mut best = f32::INFINITY;
+        let mut best = Real::INFINITY;
         for (id, primitive) in self.scene.primitives.iter().enumerate() {
             let own = ray.left == Some(id);
             let distance = match &primitive.shape {
@@ -137,23 +186,30 @@ impl Tracer<'_> {
     }
 
     /// Whether something stands between the surface and a lamp in direction `l`.
-    fn occluded(&self, at: &Surface, l: Vec3, distance: f32) -> bool {
+    #[inline(always)]
+    pub(super) fn occluded(&self, at: &Surface, l: Vec3, distance: Real) -> bool {
         let ray = Ray { origin: at.start, direction: l, left: at.left };
-        let mut others = self.scene.primitives.iter().enumerate();
-        others.any(|(id, primitive)| match &primitive.shape {
-            _ if at.left == Some(id) => false,
-            Shape::Ball(ball) => ball::occludes(ball, ray, distance),
-            Shape::Flat(flat) => flat::occludes(flat, ray, distance),
-            Shape::TextbookSphere(sphere) => {
-                textbook::sphere_distance(sphere, ray).is_some_and(|t| t < distance)
+        for (id, primitive) in self.scene.primitives.iter().enumerate() {
+            let hides = match &primitive.shape {
+                _ if at.left == Some(id) => false,
+                Shape::Ball(ball) => ball::occludes(ball, ray, distance),
+                Shape::Flat(flat) => flat::occludes(flat, ray, distance),
+                Shape::TextbookSphere(sphere) => {
+                    textbook::sphere_distance(sphere, ray).is_some_and(|t| t < distance)
+                }
+                Shape::TextbookPlane(plane) => {
+                    textbook::plane_distance(plane, ray).is_some_and(|t| t < distance)
+                }
+            };
+            if hides {
+                return true;
             }
-            Shape::TextbookPlane(plane) => {
-                textbook::plane_distance(plane, ray).is_some_and(|t| t < distance)
-            }
-        })
+        }
+        false
     }
 
-    fn surface(&self, id: usize, ray: Ray, distance: f32) -> Surface {
+    #[inline(always)]
+    fn surface(&self, id: usize, ray: Ray, distance: Real) -> Surface {
         match &self.scene.primitives[id].shape {
             Shape::Ball(ball) => ball::surface(ball, ray, distance, id),
             Shape::Flat(flat) => flat::surface(flat, ray, distance, id),
@@ -164,12 +220,12 @@ impl Tracer<'_> {
 }
 
 /// max(0, x), with 0 for NaN and for -0.
-pub(crate) fn positive(x: f32) -> f32 {
+pub(crate) fn positive(x: Real) -> Real {
     if x > 0.0 { x } else { 0.0 }
 }
 
 /// max(0, t) of a distance, NaN kept: a start that rounding put behind a surface meets it
 /// at once.
-pub(crate) fn not_behind(t: f32) -> f32 {
+pub(crate) fn not_behind(t: Real) -> Real {
     if t < 0.0 { 0.0 } else { t }
 }

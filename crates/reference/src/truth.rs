@@ -39,6 +39,7 @@ use camera::Sample;
 use meet::Ray;
 use model::Model;
 use real::Real;
+use vector::Vector;
 
 /// The deepest reflection that [`Truth`] follows. A scene's `max_depth` may be larger; only
 /// a path that needs more fails.
@@ -100,12 +101,19 @@ pub struct TruthFilm {
 }
 
 /// Where a path meets a primitive.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Vertex {
     /// Index of the primitive: spheres in file order, then planes.
     pub primitive: usize,
     /// The hit in the scene's coordinates, rounded once to f64.
     pub point: [f64; 3],
+    /// What that rounding left out: `point + rest` is the hit in truth's arithmetic, so two
+    /// paths can be told apart that differ by less than an ulp. 0 in f64.
+    pub rest: [f64; 3],
+    /// For each light in file order, whether it lights the hit: n·l > 0, nothing between.
+    pub lit: Vec<bool>,
+    /// Whether the mirrored ray is traced. Of the last hit: whether that ray met nothing.
+    pub followed: bool,
 }
 
 impl Truth {
@@ -162,9 +170,15 @@ impl Truth {
     /// the picture follows it. Takes no stack, so no depth is too large.
     #[must_use]
     pub fn path(&self, view: &View, x: u32, y: u32) -> Vec<Vertex> {
+        self.path_nudged(view, x, y, [0.0; 3])
+    }
+
+    /// As [`Truth::path`], with the eye ray's unit direction d replaced by norm(d + nudge).
+    #[must_use]
+    pub fn path_nudged(&self, view: &View, x: u32, y: u32, nudge: [f64; 3]) -> Vec<Vertex> {
         match &self.model {
-            AnyModel::F64(model) => model.path(view, x, y),
-            AnyModel::DoubleDouble(model) => model.path(view, x, y),
+            AnyModel::F64(model) => model.path(view, x, y, nudge),
+            AnyModel::DoubleDouble(model) => model.path(view, x, y, nudge),
         }
     }
 }
@@ -220,17 +234,19 @@ impl<T: Real> Model<T> {
         Ok(sum.map(|channel| (channel / T::from(f64::from(n * n))).to_f64()))
     }
 
-    fn path(&self, view: &View, x: u32, y: u32) -> Vec<Vertex> {
+    fn path(&self, view: &View, x: u32, y: u32, nudge: [f64; 3]) -> Vec<Vertex> {
         let mut vertices = Vec::new();
-        let mut ray = self.eye_ray(view, Sample { x, y, i: 0, j: 0 }, [0.0; 3]);
+        let mut ray = self.eye_ray(view, Sample { x, y, i: 0, j: 0 }, nudge);
         let mut weight = T::from(1.0);
         for depth in 0.. {
             let Some(hit) = self.nearest(&ray) else { break };
             let primitive = self.primitives[hit.index].id;
-            vertices.push(Vertex { primitive, point: hit.point.to_f64() });
-            let Some(next) = self.reflected(&ray, &hit, depth, weight) else {
-                break;
-            };
+            let point = hit.point.to_f64();
+            let rest = (hit.point - Vector::from(point)).to_f64();
+            let next = self.reflected(&ray, &hit, depth, weight);
+            let (lit, followed) = (self.lit(&hit), next.is_some());
+            vertices.push(Vertex { primitive, point, rest, lit, followed });
+            let Some(next) = next else { break };
             (ray, weight) = next;
         }
         vertices

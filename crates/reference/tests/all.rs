@@ -1,3 +1,4 @@
 //! The crate's tests, one program.
 
+mod double;
 mod truth;

@@ -7,4 +7,4 @@ mod depth;
 mod distances;
 mod exact;
 mod lights;
-mod scenes;
+pub(crate) mod scenes;

@@ -1,9 +1,11 @@
-//! Scene to f32 constants: recentre on the camera, choose a form for each primitive, round
-//! once.
+//! Scene to constants in f32 or f64: recentre on the camera, choose a form for each primitive,
+//! round once.
 //!
 //! Everything that is subtracted here is subtracted exactly (double-double), so a scene far
 //! from the origin compiles to the same constants as the same scene around it, as far as
-//! f64 could state it. Both renderers start from these constants and nothing else.
+//! f64 could state it. Both renderers start from these constants and nothing else. What is decided
+//! here, which form and which lamps are hidden, is decided on the stated scene: it does not depend
+//! on the scalar.
 
 mod camera;
 mod forms;
@@ -11,43 +13,41 @@ mod material;
 
 use std::collections::HashMap;
 
-use glam::Vec3;
-
 pub use camera::EyeRays;
 pub use forms::{Ball, Flat, Shape, TextbookPlane, TextbookSphere};
 pub use material::{Phong, Power};
 
-use crate::{DoubleDouble, Draft, Numerics, Scene};
+use crate::{DoubleDouble, Draft, Numerics, Scalar, Scene, Wider};
 
 /// A scene as the renderers read it. The eye is at the origin.
 #[derive(Clone, Debug)]
-pub struct Compiled {
+pub struct Compiled<S: Scalar = f32> {
     /// Which formulas. Robust scenes hold balls and flats, textbook scenes the others.
     pub numerics: Numerics,
     /// How a point of the image plane becomes a direction.
-    pub eye: EyeRays,
+    pub eye: EyeRays<S>,
     /// Reflections followed.
     pub max_depth: u32,
     /// Cumulative weight below which a reflected ray adds black.
-    pub min_weight: f32,
-    /// Linear RGB of a ray that meets nothing.
-    pub background: Vec3,
+    pub min_weight: S,
+    /// Linear RGB of a ray that meets nothing; 0 for -0.
+    pub background: S::Vec3,
     /// In file order, which is the order of summation.
-    pub lights: Vec<PointLight>,
+    pub lights: Vec<PointLight<S>>,
     /// Each different material once.
-    pub materials: Vec<Phong>,
+    pub materials: Vec<Phong<S>>,
     /// Spheres in file order, then planes: on equal distance the lower index is seen. In a
     /// robust scene the same surface stands here once.
-    pub primitives: Vec<Primitive>,
+    pub primitives: Vec<Primitive<S>>,
 }
 
 /// A point light.
 #[derive(Clone, Copy, Debug)]
-pub struct PointLight {
+pub struct PointLight<S: Scalar = f32> {
     /// Relative to the eye.
-    pub position: Vec3,
+    pub position: S::Vec3,
     /// Linear RGB.
-    pub intensity: Vec3,
+    pub intensity: S::Vec3,
     /// Robust only: some primitive stands between the light and every point that the eye or
     /// a mirror can see. It is inside a sphere that the eye is not in, outside one that the
     /// eye is in, or behind a plane; strictly, decided in double-double.
@@ -56,30 +56,41 @@ pub struct PointLight {
 
 /// A shape and what it is made of.
 #[derive(Clone, Copy, Debug)]
-pub struct Primitive {
+pub struct Primitive<S: Scalar = f32> {
     /// Constants of the form chosen for it.
-    pub shape: Shape,
+    pub shape: Shape<S>,
     /// Index in [`Compiled::materials`].
     pub material: u32,
+    /// Index among the scene's spheres, then planes: differs from the place in
+    /// [`Compiled::primitives`] after a surface that is stated twice.
+    pub stated: u32,
 }
 
 impl Compiled {
-    /// Compiles a scene.
+    /// Compiles a scene to f32.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
+        Self::of(scene)
+    }
+}
+
+impl<S: Scalar> Compiled<S> {
+    /// Compiles a scene.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
         let (materials, material_of) = materials(scene);
         let shapes = forms::shapes(scene).into_iter().zip(forms::firsts(scene));
-        let primitives = shapes
-            .zip(material_of)
-            .filter(|((_, first), _)| *first)
-            .map(|((shape, _), material)| Primitive { shape, material })
+        let primitives = (0..)
+            .zip(shapes.zip(material_of))
+            .filter(|(_, ((_, first), _))| *first)
+            .map(|(stated, ((shape, _), material))| Primitive { shape, material, stated })
             .collect();
         Self {
             numerics: scene.render.numerics,
             eye: EyeRays::new(scene),
             max_depth: scene.render.max_depth,
-            min_weight: rounded(scene.render.min_weight),
-            background: rounded3(scene.render.background),
+            min_weight: S::rounded(scene.render.min_weight),
+            background: colour::<S>(scene.render.background),
             lights: lights(scene),
             materials,
             primitives,
@@ -88,21 +99,21 @@ impl Compiled {
 }
 
 /// The lights, relative to the eye.
-fn lights(scene: &Draft) -> Vec<PointLight> {
+fn lights<S: Scalar>(scene: &Draft) -> Vec<PointLight<S>> {
     let robust = scene.render.numerics == Numerics::Robust;
     scene
         .lights
         .iter()
         .map(|light| PointLight {
-            position: from_eye(scene, light.position).map(DoubleDouble::to_f32).into(),
-            intensity: rounded3(light.intensity),
+            position: nearest3::<S, _>(from_eye(scene, light.position)),
+            intensity: rounded3::<S>(light.intensity),
             hidden: robust && forms::hides(scene, light.position),
         })
         .collect()
 }
 
 /// The different materials, and for every primitive the index of its own.
-fn materials(scene: &Draft) -> (Vec<Phong>, Vec<u32>) {
+fn materials<S: Scalar>(scene: &Draft) -> (Vec<Phong<S>>, Vec<u32>) {
     let ambient = scene.render.ambient;
     let mut known = HashMap::new();
     let mut compiled = Vec::new();
@@ -128,16 +139,19 @@ fn from_eye(scene: &Draft, point: [f64; 3]) -> [DoubleDouble; 3] {
 }
 
 /// The unit vector of a direction of a valid scene.
-fn unit(v: [f64; 3]) -> [f64; 3] {
+fn unit<W: Wider>(v: [W; 3]) -> [W; 3] {
     crate::direction::unit(v).expect("a valid scene's directions are not zero")
 }
 
-/// The one rounding from f64.
-#[expect(clippy::cast_possible_truncation, reason = "this is the rounding")]
-fn rounded(x: f64) -> f32 {
-    x as f32
+/// A colour, with 0 for -0: then no sum of light is -0, and adding 0 to one changes no bit.
+fn colour<S: Scalar>(v: [f64; 3]) -> S::Vec3 {
+    rounded3::<S>(v.map(|x| x + 0.0))
 }
 
-fn rounded3(v: [f64; 3]) -> Vec3 {
-    v.map(rounded).into()
+fn rounded3<S: Scalar>(v: [f64; 3]) -> S::Vec3 {
+    v.map(S::rounded).into()
+}
+
+fn nearest3<S: Scalar, W: Into<DoubleDouble>>(v: [W; 3]) -> S::Vec3 {
+    v.map(|x| S::nearest(x.into())).into()
 }

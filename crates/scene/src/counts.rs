@@ -38,6 +38,12 @@ impl Counts {
         self.depths.iter().map(|d| d.shadow).sum()
     }
 
+    /// Rays of all kinds.
+    #[must_use]
+    pub fn total(&self) -> u64 {
+        self.primary() + self.reflection() + self.shadow()
+    }
+
     /// The entry of that depth, made if need be.
     pub fn at(&mut self, depth: u32) -> &mut DepthCount {
         let depth = depth as usize;

@@ -31,6 +31,7 @@ mod sphereflake;
 mod turn;
 
 pub use corridor::Corridor;
+pub use draws::Draws;
 pub use kissing::{Arrangement, Kissing};
 pub use lattice::Lattice;
 pub use parameter::OutOfRange;

@@ -1,22 +1,30 @@
 //! The film: linear RGB, and the one quantisation to 8 bits.
 
-use crate::Transfer;
+use crate::{Scalar, Transfer};
 
-/// A picture in linear RGB, f32, unclamped.
+/// A picture in linear RGB, unclamped. One in f64 is for studies: levels are made of f32.
 ///
 /// Layout: row-major from the top left, one `[r, g, b]` a pixel.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Film {
+pub struct Film<S: Scalar = f32> {
     width: u32,
     height: u32,
-    pixels: Vec<[f32; 3]>,
+    pixels: Vec<[S; 3]>,
 }
 
 impl Film {
-    /// A black film. Its pages are taken as they are first written.
+    /// A black film in f32. Its pages are taken as they are first written.
     #[must_use]
     pub fn new(width: u32, height: u32) -> Self {
-        Self { width, height, pixels: vec![[0.0; 3]; width as usize * height as usize] }
+        Self::black(width, height)
+    }
+}
+
+impl<S: Scalar> Film<S> {
+    /// A black film.
+    #[must_use]
+    pub fn black(width: u32, height: u32) -> Self {
+        Self { width, height, pixels: vec![[S::ZERO; 3]; width as usize * height as usize] }
     }
 
     /// Columns.
@@ -33,12 +41,12 @@ impl Film {
 
     /// All pixels, row by row from the top.
     #[must_use]
-    pub fn pixels(&self) -> &[[f32; 3]] {
+    pub fn pixels(&self) -> &[[S; 3]] {
         &self.pixels
     }
 
     /// All pixels, for writing.
-    pub fn pixels_mut(&mut self) -> &mut [[f32; 3]] {
+    pub fn pixels_mut(&mut self) -> &mut [[S; 3]] {
         &mut self.pixels
     }
 }
@@ -75,20 +83,31 @@ impl Quantiser {
 
     /// The levels of many pixels: the same as one by one, without a call for each.
     ///
+    /// Always inlined, so that it is compiled for the instruction set of who calls it.
+    ///
     /// # Panics
     /// If there is not one place for each pixel.
+    #[inline(always)]
     pub fn levels(&self, linear: &[[f32; 3]], to: &mut [[u8; 3]]) {
         assert_eq!(linear.len(), to.len(), "a place for each pixel");
         let all = linear.as_flattened().iter().zip(to.as_flattened_mut());
         match &self.srgb {
-            None => all.for_each(|(&linear, to)| *to = linear_level(linear)),
-            Some(srgb) => all.for_each(|(&linear, to)| *to = srgb.level(linear)),
+            None => {
+                for (&linear, to) in all {
+                    *to = linear_level(linear);
+                }
+            }
+            Some(srgb) => {
+                for (&linear, to) in all {
+                    *to = srgb.level(linear);
+                }
+            }
         }
     }
 }
 
 /// Clamp to [0, 1]. NaN fails the first comparison and becomes 0.
-#[inline]
+#[inline(always)]
 fn clamped(x: f32) -> f32 {
     let x = if x > 0.0 { x } else { 0.0 };
     if x < 1.0 { x } else { 1.0 }
@@ -99,7 +118,7 @@ fn clamped(x: f32) -> f32 {
 /// The cast `as u8` would say the same, but is not compiled to vector instructions. Adding
 /// 2^23 rounds to a whole number, which stands in the lowest bits of the sum's mantissa;
 /// where that went up, one less is the truncated one.
-#[inline]
+#[inline(always)]
 #[expect(clippy::cast_possible_truncation, reason = "the lowest 8 bits are the level")]
 fn linear_level(linear: f32) -> u8 {
     const WHOLE: f32 = 8_388_608.0; // 2^23
@@ -131,6 +150,7 @@ impl Srgb {
         Self { thresholds, starts }
     }
 
+    #[inline(always)]
     fn level(&self, linear: f32) -> u8 {
         let x = clamped(linear);
         let mut level = self.starts[(x.to_bits() >> 16) as usize];

@@ -1,5 +1,5 @@
 //! What is rendered, and what a rendering is: the scene as people state it (f64), its
-//! reading, validation and writing, its compilation to f32 constants, and the film.
+//! reading, validation and writing, its compilation to f32 or f64 constants, and the film.
 //!
 //! Nothing here traces a ray. Both renderers start from [`Compiled`] and end in [`Film`].
 
@@ -12,6 +12,7 @@ mod error;
 pub mod family;
 mod film;
 mod read;
+mod scalar;
 mod scene;
 mod validate;
 mod view;
@@ -27,5 +28,6 @@ pub use draft::{Camera, Draft, Image, Light, Material, Numerics, Plane, Render, 
 pub use error::SceneError;
 pub use film::{Film, Quantiser};
 pub use read::{Document, SceneFormat};
+pub use scalar::{Scalar, Wider};
 pub use scene::Scene;
 pub use view::{Crop, Grid, View, ViewError};

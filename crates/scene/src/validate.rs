@@ -9,7 +9,7 @@ mod material;
 
 use crate::error::{Fault, Trail, number};
 use crate::{Draft, Material, SceneError};
-use allowed::{AMOUNT, Allowed, COMPONENT, COORDINATE, RADIUS, SIDE};
+use allowed::{AMOUNT, Allowed, COMPONENT, COORDINATE, LIGHT, RADIUS, SIDE};
 use material::Brightest;
 
 /// All of a draft.
@@ -29,7 +29,7 @@ pub(crate) fn validate_settings(draft: &Draft) -> Result<(), Fault> {
 
     let render = Trail::Root.key("render");
     one(render.key("min_weight"), draft.render.min_weight, &AMOUNT)?;
-    triple(render.key("background"), draft.render.background, &AMOUNT)?;
+    triple(render.key("background"), draft.render.background, &LIGHT)?;
     triple(render.key("ambient"), draft.render.ambient, &AMOUNT)?;
 
     let lights = Trail::Root.key("lights");

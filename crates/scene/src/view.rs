@@ -1,6 +1,6 @@
 //! Which part of the picture is rendered, and where its rays pass through the image plane.
 
-use crate::Scene;
+use crate::{Scalar, Scene, Wider};
 
 /// A rectangle of pixels; (0, 0) is the top left of the full image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,30 +88,30 @@ impl View {
         self.samples
     }
 
-    /// Position of sub-column `i` of the crop's column `x` on the image plane, in f64:
+    /// Position of sub-column `i` of the crop's column `x` on the image plane:
     /// 2(x + (i + 1/2)/N)/W - 1, from -1 at the left edge to 1 at the right.
     #[must_use]
-    pub fn column(&self, x: u32, i: u32) -> f64 {
-        let n = f64::from(self.samples);
-        let at = f64::from(self.crop.x) + f64::from(x) + (f64::from(i) + 0.5) / n;
-        2.0 * at / f64::from(self.image_width) - 1.0
+    pub fn column<W: Wider>(&self, x: u32, i: u32) -> W {
+        let [first, x, i, n] = [self.crop.x, x, i, self.samples].map(f64::from);
+        let at = W::from(first + x) + W::from(i + 0.5) / W::from(n);
+        W::from(2.0) * at / W::from(self.image_width.into()) - W::from(1.0)
     }
 
-    /// Position of sub-row `j` of the crop's row `y` on the image plane, in f64:
+    /// Position of sub-row `j` of the crop's row `y` on the image plane:
     /// 1 - 2(y + (j + 1/2)/N)/H, from 1 at the top edge to -1 at the bottom.
     #[must_use]
-    pub fn row(&self, y: u32, j: u32) -> f64 {
-        let n = f64::from(self.samples);
-        let at = f64::from(self.crop.y) + f64::from(y) + (f64::from(j) + 0.5) / n;
-        1.0 - 2.0 * at / f64::from(self.image_height)
+    pub fn row<W: Wider>(&self, y: u32, j: u32) -> W {
+        let [first, y, j, n] = [self.crop.y, y, j, self.samples].map(f64::from);
+        let at = W::from(first + y) + W::from(j + 0.5) / W::from(n);
+        W::from(1.0) - W::from(2.0) * at / W::from(self.image_height.into())
     }
 }
 
-/// The positions of a view's rays on the image plane, rounded once to f32.
+/// The positions of a view's rays on the image plane, rounded once.
 ///
 /// Shape: `columns[x * samples + i]` and `rows[y * samples + j]`, x and y within the crop.
 #[derive(Clone, Debug)]
-pub struct Grid {
+pub struct Grid<S: Scalar = f32> {
     /// Pixels of the crop in a row.
     pub width: u32,
     /// Rows of the crop.
@@ -119,16 +119,23 @@ pub struct Grid {
     /// Samples a side.
     pub samples: u32,
     /// Horizontal positions, left to right.
-    pub columns: Vec<f32>,
+    pub columns: Vec<S>,
     /// Vertical positions, top to bottom.
-    pub rows: Vec<f32>,
+    pub rows: Vec<S>,
 }
 
 impl Grid {
+    /// The grid of a view in f32.
+    #[must_use]
+    pub fn new(view: &View) -> Self {
+        Self::of(view)
+    }
+}
+
+impl<S: Scalar> Grid<S> {
     /// The grid of a view.
     #[must_use]
-    #[expect(clippy::cast_possible_truncation, reason = "the one rounding to f32")]
-    pub fn new(view: &View) -> Self {
+    pub fn of(view: &View) -> Self {
         let Crop { width, height, .. } = view.crop;
         let n = view.samples;
         let columns = (0..width).flat_map(|x| (0..n).map(move |i| (x, i)));
@@ -137,8 +144,10 @@ impl Grid {
             width,
             height,
             samples: n,
-            columns: columns.map(|(x, i)| view.column(x, i) as f32).collect(),
-            rows: rows.map(|(y, j)| view.row(y, j) as f32).collect(),
+            columns: columns
+                .map(|(x, i)| S::nearest(view.column::<S::Wider>(x, i).into()))
+                .collect(),
+            rows: rows.map(|(y, j)| S::nearest(view.row::<S::Wider>(y, j).into())).collect(),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Tests of the scene crate, in one binary.
 
+mod compiled;
 mod double_double;
 mod drafts;
 mod family;

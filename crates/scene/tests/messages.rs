@@ -163,7 +163,7 @@ const TOML: &[Case<'_>] = &[
         "materials.red.color",
         (2, 9),
         "[1e30, 1, 1]",
-        "at most 1e38",
+        "at most 1e20",
     ),
     // Settings that do not go together.
     (

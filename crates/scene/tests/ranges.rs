@@ -36,10 +36,10 @@ const RANGES: &[Range<'_>] = &[
         "0 and 180",
     ),
     ("render.min_weight", |d| &mut d.render.min_weight, AMOUNT, TOO_MUCH, "f32"),
-    ("render.background[2]", |d| &mut d.render.background[2], AMOUNT, TOO_MUCH, "f32"),
-    ("render.ambient[0]", |d| &mut d.render.ambient[0], [0.0, 1e38], TOO_MUCH, "f32"),
+    ("render.background[2]", |d| &mut d.render.background[2], [0.0, 1e20], BRIGHT, "1e20"),
+    ("render.ambient[0]", |d| &mut d.render.ambient[0], [0.0, 1e20], TOO_MUCH, "f32"),
     ("lights[0].position[2]", |d| &mut d.lights[0].position[2], [-1e15, 1e15], OUT, "1e15"),
-    ("lights[0].intensity[1]", |d| &mut d.lights[0].intensity[1], [0.0, 9e37], TOO_MUCH, "f32"),
+    ("lights[0].intensity[1]", |d| &mut d.lights[0].intensity[1], [0.0, 9e19], TOO_MUCH, "f32"),
     ("spheres[0].center[0]", |d| &mut d.spheres[0].center[0], [-1e15, 1e15], OUT, "1e15"),
     (
         "spheres[0].radius",
@@ -48,19 +48,20 @@ const RANGES: &[Range<'_>] = &[
         [1e-12_f64.next_down(), 1e12_f64.next_up()],
         "from 1e-12 to 1e12",
     ),
-    ("spheres[0].color[0]", |d| &mut d.spheres[0].material.color[0], [0.0, 9e37], TOO_MUCH, "f32"),
-    ("spheres[0].diffuse", |d| &mut d.spheres[0].material.diffuse, [0.0, 1e38], TOO_MUCH, "f32"),
-    ("spheres[0].specular", |d| &mut d.spheres[0].material.specular, [0.0, 9e37], TOO_MUCH, "f32"),
+    ("spheres[0].color[0]", |d| &mut d.spheres[0].material.color[0], [0.0, 9e19], TOO_MUCH, "f32"),
+    ("spheres[0].diffuse", |d| &mut d.spheres[0].material.diffuse, [0.0, 1e20], TOO_MUCH, "f32"),
+    ("spheres[0].specular", |d| &mut d.spheres[0].material.specular, [0.0, 9e19], TOO_MUCH, "f32"),
     ("spheres[0].shininess", |d| &mut d.spheres[0].material.shininess, AMOUNT, TOO_MUCH, "f32"),
     ("planes[0].point[0]", |d| &mut d.planes[0].point[0], [-1e15, 1e15], OUT, "1e15"),
     ("planes[0].normal[0]", |d| &mut d.planes[0].normal[0], [-1e300, f64::MAX], INFINITE, "finite"),
-    ("planes[0].diffuse", |d| &mut d.planes[0].material.diffuse, [0.0, 1e38], TOO_MUCH, "f32"),
+    ("planes[0].diffuse", |d| &mut d.planes[0].material.diffuse, [0.0, 1e20], TOO_MUCH, "f32"),
 ];
 
 const OUT: [f64; 2] = [(-1e15_f64).next_down(), 1e15_f64.next_up()];
 const INFINITE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 const AMOUNT: [f64; 2] = [0.0, f32::MAX as f64];
 const TOO_MUCH: [f64; 2] = [-1e-300, 3.4028235e38];
+const BRIGHT: [f64; 2] = [-1e-300, 1e20_f64.next_up()];
 
 #[test]
 fn ranges_include_their_ends_and_nothing_more() {
@@ -130,20 +131,20 @@ fn light_sent_back_stays_within_f32() {
         })
     };
     let matt = |color| Material::matt([0.0, color, 0.0]);
-    assert_eq!(with(1e19, 0.0, matt(1e19)), None);
-    assert_eq!(with(0.0, 0.2e19, matt(1e19)), None);
-    assert_eq!(with(0.0, 0.0, matt(1e38)), None);
-    let bright = Material { diffuse: 1e20, ..matt(1e20) };
-    let glossy = Material { specular: 1e20, reflect: Some(0.0), ..matt(0.0) };
+    assert_eq!(with(1e10, 0.0, matt(1e10)), None);
+    assert_eq!(with(0.0, 0.2e10, matt(1e10)), None);
+    assert_eq!(with(0.0, 0.0, matt(1e20)), None);
+    let bright = Material { diffuse: 1e11, ..matt(1e11) };
+    let glossy = Material { specular: 1e11, reflect: Some(0.0), ..matt(0.0) };
     for (what, refused) in [
-        ("ambient", with(1e19, 0.0, matt(1.1e19))),
-        ("the sum of lights", with(0.0, 1e19, matt(1e19))),
-        ("the highlight", with(0.0, 1e19, glossy)),
+        ("ambient", with(1e10, 0.0, matt(1.1e10))),
+        ("the sum of lights", with(0.0, 1e10, matt(1e10))),
+        ("the highlight", with(0.0, 1e10, glossy)),
         ("the factor, without any light", with(0.0, 0.0, bright)),
     ] {
         let (key, message) = refused.unwrap_or_else(|| panic!("{what} overflows"));
         assert_eq!(key, "spheres[0].color", "{what}");
-        assert!(message.contains("so that f32 does not overflow; in channel"), "{message}");
+        assert!(message.contains("overflows f32; in channel"), "{message}");
     }
 }
 

@@ -1,4 +1,4 @@
-//! The recursion: DESIGN.md section 1, word by word.
+//! The recursion: the model of the picture, word by word.
 
 use std::array::from_fn;
 use std::cmp::Ordering;
@@ -6,9 +6,10 @@ use std::cmp::Ordering;
 use catoptric_scene::{Counts, DepthCount};
 
 use super::meet::{Hit, Ray};
-use super::model::{Model, Shape};
+use super::model::{Light, Model, Shape};
 use super::power::power;
 use super::real::Real;
+use super::vector::Vector;
 use super::{DEPTH_ALLOWED, TooDeep};
 
 impl<T: Real> Model<T> {
@@ -49,28 +50,11 @@ impl<T: Real> Model<T> {
     /// I·(kd·colour·(n·l) + ks·max(0, r·(-d))^shininess).
     #[inline(never)] // The recursion's frame stays free of what this needs.
     fn local(&self, ray: &Ray<T>, hit: &Hit<T>, count: &mut DepthCount) -> [T; 3] {
-        let (zero, one) = (T::from(0.0), T::from(1.0));
-        let primitive = &self.primitives[hit.index];
-        let surface = &primitive.surface;
+        let one = T::from(1.0);
+        let surface = &self.primitives[hit.index].surface;
         let mut sum = surface.ambient;
         for light in &self.lights {
-            let toward = light.position - hit.point;
-            let distance = toward.length();
-            // A light in the plane it is to light grazes it: n·l is 0, whatever rounding says.
-            let grazes = matches!(primitive.shape, Shape::Plane { .. })
-                && light.sides[hit.index] == Ordering::Equal;
-            if distance <= zero || grazes {
-                continue;
-            }
-            let l = toward.unit();
-            let n_dot_l = hit.normal.dot(l);
-            if n_dot_l <= zero {
-                continue;
-            }
-            count.shadow += 1;
-            if self.occluded(hit.point, hit.index, light, l, distance) {
-                continue;
-            }
+            let Some((l, n_dot_l)) = self.arriving(hit, light, count) else { continue };
             // r is the mirror image of l about n. The cosine exceeds 1 by rounding only.
             let r = hit.normal * (n_dot_l + n_dot_l) - l;
             let cosine = (-r.dot(ray.direction)).at_least_zero();
@@ -81,6 +65,39 @@ impl<T: Real> Model<T> {
             });
         }
         sum
+    }
+
+    /// For each light, whether it lights the hit.
+    pub(super) fn lit(&self, hit: &Hit<T>) -> Vec<bool> {
+        let count = &mut DepthCount::default();
+        self.lights.iter().map(|light| self.arriving(hit, light, count).is_some()).collect()
+    }
+
+    /// The direction to a light and its cosine n·l, if the hit faces the light and sees it.
+    #[inline] // As if written in `local`.
+    fn arriving(
+        &self,
+        hit: &Hit<T>,
+        light: &Light<T>,
+        count: &mut DepthCount,
+    ) -> Option<(Vector<T>, T)> {
+        let zero = T::from(0.0);
+        let toward = light.position - hit.point;
+        let distance = toward.length();
+        // A light in the plane it is to light grazes it: n·l is 0, whatever rounding says.
+        let plane = matches!(self.primitives[hit.index].shape, Shape::Plane { .. });
+        let grazes = plane && light.sides[hit.index] == Ordering::Equal;
+        if distance <= zero || grazes {
+            return None;
+        }
+        let l = toward.unit();
+        let n_dot_l = hit.normal.dot(l);
+        if n_dot_l <= zero {
+            return None;
+        }
+        count.shadow += 1;
+        let seen = !self.occluded(hit.point, hit.index, light, l, distance);
+        seen.then_some((l, n_dot_l))
     }
 
     /// The reflected ray and its weight, if it is to be traced: only from a mirror, to the

@@ -115,7 +115,7 @@ fn trace(draft: &Draft, x: u32, y: u32) -> Path {
     let mut path = Path { vertices: Vec::new(), color: [0.0; 3] };
     let mut weight = 1.0;
     let mut own = None;
-    for _ in 0..=draft.render.max_depth {
+    for depth in 0..=draft.render.max_depth {
         let met = (0..count).filter_map(|id| Some((id, root(draft, id, &o, &d, own == Some(id))?)));
         let nearest = met.min_by(|a, b| a.1.partial_cmp(&b.1).expect("numbers"));
         let Some((id, t)) = nearest else {
@@ -124,7 +124,7 @@ fn trace(draft: &Draft, x: u32, y: u32) -> Path {
         };
         o = o.along(&t, &d);
         own = Some(id);
-        path.vertices.push(Vertex { primitive: id, point: o.to_f64() });
+        let mut lit = Vec::new();
 
         let outward = match draft.spheres.get(id) {
             Some(sphere) => o.minus(&Point::new(sphere.center)),
@@ -146,7 +146,8 @@ fn trace(draft: &Draft, x: u32, y: u32) -> Path {
                 root(draft, id, &o, &segment, own == Some(id))
                     .is_some_and(|t| t >= zero && t < number(1.0))
             };
-            if cosine <= zero || (0..count).any(hides) {
+            lit.push(cosine > zero && !(0..count).any(hides));
+            if lit.last() == Some(&false) {
                 continue;
             }
             let mirrored = n.along(&zero, &n).0.map(|c| number(2.0) * &cosine * c);
@@ -158,6 +159,9 @@ fn trace(draft: &Draft, x: u32, y: u32) -> Path {
             };
             local = [0, 1, 2].map(|c| local[c] + light(c));
         }
+        let followed = m.mirror() > 0.0 && depth < draft.render.max_depth;
+        let (point, rest) = (o.to_f64(), [0.0; 3]);
+        path.vertices.push(Vertex { primitive: id, point, rest, lit, followed });
         // Summed forward: the same sum in the reals.
         path.color = [0, 1, 2].map(|c| path.color[c] + weight * local[c]);
         weight *= m.mirror();
@@ -184,6 +188,8 @@ fn compare(draft: &Draft, point_error: f64, color_error: f64) -> usize {
         let ids = |path: &[Vertex]| path.iter().map(|v| v.primitive).collect::<Vec<_>>();
         assert_eq!(ids(&found), ids(&exact.vertices), "pixel {x},{y}");
         for (depth, (f, e)) in found.iter().zip(&exact.vertices).enumerate() {
+            let facts = |v: &Vertex| (v.lit.clone(), v.followed);
+            assert_eq!(facts(f), facts(e), "pixel {x},{y} depth {depth}");
             for c in 0..3 {
                 let error = (f.point[c] - e.point[c]).abs();
                 assert!(error <= point_error, "pixel {x},{y} depth {depth}: {f:?}, exact {e:?}");

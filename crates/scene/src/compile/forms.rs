@@ -2,41 +2,40 @@
 //!
 //! A **ball** is computed from centre and radius. A **flat** is a plane, or a sphere so large
 //! against the scene around the eye that it looks like one: computed from its height
-//! function, it needs no coordinates of a centre far away (NUMERICS, section 2). The
+//! function, it needs no coordinates of a centre far away. The
 //! crossover is at a radius of twice the scene's extent S.
 
 use std::collections::HashSet;
 
-use glam::Vec3;
-
-use super::{from_eye, rounded, unit};
-use crate::{DoubleDouble, Draft, Numerics, Plane, Scene, Sphere};
+use super::{from_eye, nearest3, unit};
+use crate::direction::tamed;
+use crate::{DoubleDouble, Draft, Numerics, Plane, Scalar, Scene, Sphere, Wider};
 
 /// The form chosen for a primitive.
 #[derive(Clone, Copy, Debug)]
-pub enum Shape {
+pub enum Shape<S: Scalar = f32> {
     /// Robust: a sphere.
-    Ball(Ball),
+    Ball(Ball<S>),
     /// Robust: a plane or a large sphere.
-    Flat(Flat),
+    Flat(Flat<S>),
     /// Textbook: a sphere.
-    TextbookSphere(TextbookSphere),
+    TextbookSphere(TextbookSphere<S>),
     /// Textbook: a plane.
-    TextbookPlane(TextbookPlane),
+    TextbookPlane(TextbookPlane<S>),
 }
 
 /// A sphere, by centre and radius.
 #[derive(Clone, Copy, Debug)]
-pub struct Ball {
+pub struct Ball<S: Scalar = f32> {
     /// Relative to the eye.
-    pub center: Vec3,
+    pub center: S::Vec3,
     /// Its radius.
-    pub radius: f32,
-    /// The radius squared in f64, rounded once.
-    pub radius_squared: f32,
+    pub radius: S,
+    /// The radius squared in f64, rounded to the scalar.
+    pub radius_squared: S,
     /// 1 where the eye is outside or on it, -1 where it is around the eye: times the outward
     /// normal it gives the normal that faces every ray.
-    pub side: f32,
+    pub side: S,
 }
 
 /// A plane, or a large sphere, by its height function.
@@ -45,51 +44,51 @@ pub struct Ball {
 /// offset, with the gradient N(x) = curvature·x - lean, which on the surface is the unit
 /// normal that faces every ray.
 #[derive(Clone, Copy, Debug)]
-pub struct Flat {
+pub struct Flat<S: Scalar = f32> {
     /// 1/r for a sphere seen from outside, -1/r for one around the eye, 0 for a plane.
-    pub curvature: f32,
+    pub curvature: S,
     /// c/r, or -c/r for a sphere around the eye; the negated normal for a plane.
-    pub lean: Vec3,
+    pub lean: S::Vec3,
     /// Twice the eye's height: (|c|^2 - r^2)/r, or its negative, formed in double-double.
-    pub offset: f32,
+    pub offset: S,
 }
 
-impl Flat {
+impl<S: Scalar> Flat<S> {
     /// Whether it is a sphere around the eye.
     #[must_use]
     pub fn is_around(&self) -> bool {
-        self.curvature < 0.0
+        self.curvature < S::ZERO
     }
 }
 
-impl Ball {
+impl<S: Scalar> Ball<S> {
     /// Whether it is a sphere around the eye.
     #[must_use]
     pub fn is_around(&self) -> bool {
-        self.side < 0.0
+        self.side < S::ZERO
     }
 }
 
 /// A sphere as the workshop states it.
 #[derive(Clone, Copy, Debug)]
-pub struct TextbookSphere {
+pub struct TextbookSphere<S: Scalar = f32> {
     /// Relative to the eye.
-    pub center: Vec3,
+    pub center: S::Vec3,
     /// Its radius.
-    pub radius: f32,
+    pub radius: S,
 }
 
 /// A plane as the workshop would state it.
 #[derive(Clone, Copy, Debug)]
-pub struct TextbookPlane {
+pub struct TextbookPlane<S: Scalar = f32> {
     /// The unit normal as given.
-    pub normal: Vec3,
+    pub normal: S::Vec3,
     /// normal · point, relative to the eye.
-    pub offset: f32,
+    pub offset: S,
 }
 
 /// Spheres in file order, then planes.
-pub(super) fn shapes(scene: &Scene) -> Vec<Shape> {
+pub(super) fn shapes<S: Scalar>(scene: &Scene) -> Vec<Shape<S>> {
     let scene: &Draft = scene;
     let (spheres, planes) = (scene.spheres.iter(), scene.planes.iter());
     match scene.render.numerics {
@@ -101,15 +100,15 @@ pub(super) fn shapes(scene: &Scene) -> Vec<Shape> {
         Numerics::Textbook => {
             let spheres = spheres.map(|s| {
                 Shape::TextbookSphere(TextbookSphere {
-                    center: to_f32(from_eye(scene, s.center)),
-                    radius: rounded(s.radius),
+                    center: nearest3::<S, _>(from_eye(scene, s.center)),
+                    radius: S::rounded(s.radius),
                 })
             });
             let planes = planes.map(|p| {
-                let normal = unit(p.normal);
+                let normal = wider_normal::<S>(p);
                 Shape::TextbookPlane(TextbookPlane {
-                    normal: normal.map(rounded).into(),
-                    offset: (-height(scene, normal, p.point)).to_f32(),
+                    normal: nearest3::<S, _>(normal),
+                    offset: S::nearest(-height(scene, normal, p.point)),
                 })
             });
             spheres.chain(planes).collect()
@@ -146,35 +145,41 @@ pub(super) fn hides(scene: &Draft, light: [f64; 3]) -> bool {
     by_sphere || by_plane
 }
 
-fn robust_sphere(scene: &Draft, sphere: &Sphere, extent: f64) -> Shape {
+fn robust_sphere<S: Scalar>(scene: &Draft, sphere: &Sphere, extent: f64) -> Shape<S> {
     let center = from_eye(scene, sphere.center);
     let power = power_of(sphere, scene.camera.position);
     let around = power < DoubleDouble::default();
     let r = DoubleDouble::from(sphere.radius);
     if sphere.radius < 2.0 * extent {
         return Shape::Ball(Ball {
-            center: to_f32(center),
-            radius: rounded(sphere.radius),
-            radius_squared: rounded(sphere.radius * sphere.radius),
-            side: if around { -1.0 } else { 1.0 },
+            center: nearest3::<S, _>(center),
+            radius: S::rounded(sphere.radius),
+            radius_squared: S::rounded(sphere.radius * sphere.radius),
+            side: S::rounded(if around { -1.0 } else { 1.0 }),
         });
     }
     let side = DoubleDouble::from(if around { -1.0 } else { 1.0 });
     Shape::Flat(Flat {
-        curvature: (side / r).to_f32(),
-        lean: to_f32(center.map(|c| side * c / r)),
-        offset: (side * power / r).to_f32(),
+        curvature: S::nearest(side / r),
+        lean: nearest3::<S, _>(center.map(|c| side * c / r)),
+        offset: S::nearest(side * power / r),
     })
 }
 
 /// The normal is turned to the eye's side; an eye on the plane is where the normal points.
-fn robust_plane(scene: &Draft, plane: &Plane) -> Flat {
-    let normal = unit(plane.normal);
+fn robust_plane<S: Scalar>(scene: &Draft, plane: &Plane) -> Flat<S> {
+    let turned = height(scene, unit(plane.normal), plane.point) < DoubleDouble::default();
+    let normal = wider_normal::<S>(plane);
     let height = height(scene, normal, plane.point);
-    let turned = height < DoubleDouble::default();
     let lean = if turned { normal } else { normal.map(|x| -x) };
     let height = if turned { -height } else { height };
-    Flat { curvature: 0.0, lean: lean.map(rounded).into(), offset: (height + height).to_f32() }
+    Flat { curvature: S::ZERO, lean: nearest3::<S, _>(lean), offset: S::nearest(height + height) }
+}
+
+/// The unit normal, as what is rounded to the scalar starts from it. What is decided for all
+/// scalars alike is decided with the normal in f64.
+fn wider_normal<S: Scalar>(plane: &Plane) -> [S::Wider; 3] {
+    unit(tamed(plane.normal).map(S::Wider::from))
 }
 
 /// S: how far from the eye the surfaces are, the largest | |c| - r | and plane distance.
@@ -197,16 +202,12 @@ fn power_of(sphere: &Sphere, x: [f64; 3]) -> DoubleDouble {
 }
 
 /// The eye's height over a plane.
-fn height(scene: &Draft, normal: [f64; 3], point: [f64; 3]) -> DoubleDouble {
+fn height<W: Wider>(scene: &Draft, normal: [W; 3], point: [f64; 3]) -> DoubleDouble {
     height_over(normal, point, scene.camera.position)
 }
 
 /// normal · (x - point).
-fn height_over(normal: [f64; 3], point: [f64; 3], x: [f64; 3]) -> DoubleDouble {
-    let along = |i: usize| DoubleDouble::from(normal[i]) * DoubleDouble::difference(x[i], point[i]);
+fn height_over<W: Wider>(normal: [W; 3], point: [f64; 3], x: [f64; 3]) -> DoubleDouble {
+    let along = |i: usize| normal[i].into() * DoubleDouble::difference(x[i], point[i]);
     along(0) + along(1) + along(2)
-}
-
-fn to_f32(v: [DoubleDouble; 3]) -> Vec3 {
-    v.map(DoubleDouble::to_f32).into()
 }

@@ -15,16 +15,17 @@ const STREAM: u128 = 0x0ca7_0b71c;
 const HALVINGS: u32 = 32;
 
 /// A sequence of random numbers.
-pub(super) struct Draws(Pcg64);
+pub struct Draws(Pcg64);
 
 impl Draws {
     /// The sequence of a seed.
-    pub(super) fn new(seed: u64) -> Self {
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
         Self(Pcg64::new(u128::from(seed), STREAM))
     }
 
     /// In [0, 1): the top 53 bits of one draw, times 2^-53.
-    pub(super) fn unit(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "53 bits are exact in f64")]
         let integer = (self.0.next_u64() >> 11) as f64;
         integer * (1.0 / (1_u64 << 53) as f64)
@@ -32,13 +33,13 @@ impl Draws {
 
     /// Uniform from `least` to `most`, from one [`Self::unit`]; rounding may step past `most`
     /// by its last bit.
-    pub(super) fn between(&mut self, least: f64, most: f64) -> f64 {
+    pub fn between(&mut self, least: f64, most: f64) -> f64 {
         least + (most - least) * self.unit()
     }
 
     /// A whole number below `n`, from one draw: the high 64 bits of draw times n. Its bias
     /// is below n/2^64.
-    pub(super) fn below(&mut self, n: u64) -> u64 {
+    pub fn below(&mut self, n: u64) -> u64 {
         let product = u128::from(self.0.next_u64()) * u128::from(n);
         u64::try_from(product >> 64).expect("the high half of a product has 64 bits")
     }
@@ -47,7 +48,7 @@ impl Draws {
     /// range 32 times at its geometric mean, a set bit keeping the upper half. No logarithm
     /// is taken, since libm's differ between machines. Rounded means stay in the range,
     /// because rounding keeps order and the rounded root of a rounded square is its number.
-    pub(super) fn log_between(&mut self, least: f64, most: f64) -> f64 {
+    pub fn log_between(&mut self, least: f64, most: f64) -> f64 {
         let bits = self.0.next_u64();
         let (mut low, mut high) = (least, most);
         for halving in 0..HALVINGS {

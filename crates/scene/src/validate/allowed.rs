@@ -40,6 +40,13 @@ pub(crate) const AMOUNT: Allowed = Allowed {
     text: "a number from 0 to 3.4028234e38, the largest of f32",
 };
 
+/// Light that is seen as it is.
+pub(crate) const LIGHT: Allowed = Allowed {
+    least: 0.0,
+    most: 1e20,
+    text: "a number from 0 to 1e20, so that no sum over reflections and samples overflows f32",
+};
+
 /// The part of the light that a mirror sends on.
 pub(crate) const MIRROR: Allowed = Allowed { least: 0.0, most: 1.0, text: "a number from 0 to 1" };
 

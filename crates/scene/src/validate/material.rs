@@ -1,6 +1,6 @@
 //! Materials: their factors, and that the light they send back stays within f32.
 
-use super::allowed::{AMOUNT, MIRROR};
+use super::allowed::{AMOUNT, LIGHT, MIRROR};
 use super::{list, one, triple};
 use crate::error::{Fault, Trail, number};
 use crate::{Draft, Material};
@@ -11,10 +11,6 @@ pub(super) struct Brightest {
     ambient: [f64; 3],
     lights: [f64; 3],
 }
-
-/// The most that one hit may send back per channel. A third of the largest f32, so that
-/// the roundings of a sum over ten million lights stay within it too.
-const MOST: f64 = 1e38;
 
 impl Brightest {
     /// Of a scene whose lights and ambient have been found in their ranges.
@@ -51,10 +47,11 @@ pub(super) fn material(
         let colour = color[channel];
         let factor = diffuse * colour + specular;
         let back = brightest.ambient[channel] * colour + brightest.lights[channel] * factor;
-        // The factor is formed before a light multiplies it, which may be a weak one.
-        if factor > MOST || back > MOST {
+        // The factor is formed before a light multiplies it, which may be a weak one. As many
+        // reflections as a u32 counts, with 256 x 256 samples, then stay far below the largest f32.
+        if !LIGHT.holds(factor) || !LIGHT.holds(back) {
             let allowed = format!(
-                "a material that sends back at most 1e38, so that f32 does not overflow; in channel {channel} diffuse·color + specular is {}, and ambient·color + (all intensities)·(diffuse·color + specular) is {}",
+                "a material that sends back at most 1e20, so that no sum over reflections and samples overflows f32; in channel {channel} diffuse·color + specular is {}, and ambient·color + (all intensities)·(diffuse·color + specular) is {}",
                 number(factor),
                 number(back)
             );

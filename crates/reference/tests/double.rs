@@ -1,0 +1,4 @@
+//! The recursion in f64 against truth, and its power against arbitrary precision.
+
+mod accuracy;
+mod power;

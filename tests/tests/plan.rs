@@ -1,0 +1,165 @@
+//! What a plan leaves out changes no bit.
+
+use catoptric_core::{
+    Features, Isa, Omission, Plan, Settings, TileCandidates, occluders, render_levels_planned,
+    render_planned, tile_candidates,
+};
+use catoptric_scene::{
+    Compiled, Counts, Film, Grid, Numerics, Plane, Quantiser, Scene, Sphere, Transfer, View,
+};
+use catoptric_tests::{generate, scenes};
+use proptest::prelude::*;
+
+fn render(scene: &Compiled, grid: &Grid, plan: &Plan) -> (Vec<[u32; 3]>, Counts) {
+    let settings = Settings { isa: Isa::detected(), stack_limit: 1 << 30 };
+    let mut film = Film::new(grid.width, grid.height);
+    let counts = render_planned(scene, plan, grid, &mut film, settings, &|_| ());
+    let bits = |p: &[f32; 3]| p.map(|x| if x.is_nan() { u32::MAX } else { x.to_bits() });
+    (film.pixels().iter().map(bits).collect(), counts.expect("the limit allows it"))
+}
+
+fn levels(scene: &Compiled, grid: &Grid, plan: &Plan) -> Vec<[u8; 3]> {
+    let settings = Settings { isa: Isa::detected(), stack_limit: 1 << 30 };
+    let mut levels = vec![[7; 3]; grid.width as usize * grid.height as usize];
+    let quantiser = Quantiser::new(Transfer::Srgb);
+    render_levels_planned(scene, plan, grid, &quantiser, &mut levels, settings, &|_| ())
+        .expect("the limit allows it");
+    levels
+}
+
+/// The scene's plan, and all but one omission at a time, against a plan that omits nothing.
+fn check(name: &str, scene: &Scene, samples: u32) -> Result<(), String> {
+    let view = View::new(scene, None, samples).expect("whole");
+    let (compiled, grid) = (Compiled::new(scene), Grid::new(&view));
+    let everything = Plan::everything(&compiled, &grid);
+    assert!(everything.omitted.is_empty() && everything.depth == compiled.max_depth);
+    let expected = render(&compiled, &grid, &everything);
+    let expected_levels = levels(&compiled, &grid, &everything);
+    let plan = Plan::new(&compiled, &grid);
+    let mut plans = vec![plan.clone()];
+    plans.extend(plan.omitted.iter().map(|&omission| plan.clone().without(omission)));
+    for plan in plans {
+        let found = render(&compiled, &grid, &plan);
+        if found != expected || levels(&compiled, &grid, &plan) != expected_levels {
+            let text = scene.to_text(catoptric_scene::SceneFormat::Toml);
+            return Err(format!("{name}: {plan:?} changes the picture or its counts\n{text}"));
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn every_plan_of_every_scene() {
+    for (name, draft) in scenes::all() {
+        for numerics in [Numerics::Robust, Numerics::Textbook] {
+            let mut draft = draft.clone();
+            draft.render.numerics = numerics;
+            let scene = scenes::sized(&draft, 181, 97, draft.render.max_depth);
+            check(&name, &scene, 1).unwrap_or_else(|report| panic!("{report}"));
+        }
+    }
+    let scene = scenes::sized(&scenes::named("workshop"), 70, 50, 5);
+    check("samples", &scene, 3).unwrap_or_else(|report| panic!("{report}"));
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn every_plan_of_generated_scenes(scene in generate::scene(12, (1u32..=70, 1u32..=40))) {
+        check("generated", &scene, 1).map_err(TestCaseError::fail)?;
+    }
+
+    /// Rims and horizons across tiles' borders.
+    #[test]
+    fn every_plan_of_rims(scene in generate::rim((1u32..=130, 1u32..=40))) {
+        check("rim", &scene, 1).map_err(TestCaseError::fail)?;
+    }
+
+    /// Shadows that a ball's rim grazes.
+    #[test]
+    fn every_plan_of_eclipses(scene in generate::eclipse((1u32..=70, 1u32..=40))) {
+        check("eclipse", &scene, 1).map_err(TestCaseError::fail)?;
+    }
+}
+
+/// `PROPTEST_CASES` asks for more or fewer.
+fn config() -> ProptestConfig {
+    let default = ProptestConfig::default();
+    let cases = if std::env::var_os("PROPTEST_CASES").is_some() { default.cases } else { 500 };
+    ProptestConfig { cases, failure_persistence: None, ..default }
+}
+
+/// A plan of the workshop says what it is known to need.
+#[test]
+fn the_workshop_is_known() {
+    let scene = scenes::sized(&scenes::named("workshop"), 1920, 1080, 5);
+    let (compiled, grid) = (Compiled::new(&scene), Grid::new(&View::whole(&scene)));
+    let plan = Plan::new(&compiled, &grid);
+    let features = Features {
+        balls: 4,
+        large_spheres: 1,
+        mirrors: 4,
+        lamps: 1,
+        highlight: true,
+        samples: 1,
+        ..Features::default()
+    };
+    assert_eq!(plan.features, features);
+    assert_eq!(plan.depth, 5);
+    assert_eq!(plan.omitted, Omission::ALL);
+    // The yellow and the gray ball (2 and 4) stand free; nothing is in the ground's shadow.
+    let hide = |receiver| occluders(&compiled, 0, receiver);
+    assert_eq!((hide(2), hide(4)), (vec![], vec![]));
+    assert_eq!(hide(0), [1, 2, 3, 4]);
+    assert!((0..5).all(|receiver| !hide(receiver).contains(&0)));
+    let TileCandidates { tiles, empty, tried } = tile_candidates(&compiled, &grid);
+    assert!(empty * 8 > tiles, "{empty} of {tiles} tiles show nothing");
+    assert!(tried < 2 * tiles, "{tried} of {tiles} tiles' 5 primitives are tried");
+}
+
+/// Reflections that can occur: none without a mirror, one with a single convex one.
+#[test]
+fn depths_end() {
+    let depth = |change: &dyn Fn(&mut catoptric_scene::Draft)| {
+        let mut draft = scenes::named("workshop");
+        change(&mut draft);
+        let scene = scenes::sized(&draft, 16, 9, 9);
+        Plan::new(&Compiled::new(&scene), &Grid::new(&View::whole(&scene))).depth
+    };
+    let mirrors = |spheres: &mut [Sphere], count: usize| {
+        for (index, sphere) in spheres.iter_mut().enumerate() {
+            sphere.material.reflect = Some(if index < count { 0.5 } else { 0.0 });
+        }
+    };
+    assert_eq!(depth(&|draft| mirrors(&mut draft.spheres, 0)), 0);
+    assert_eq!(depth(&|draft| mirrors(&mut draft.spheres, 1)), 1);
+    assert_eq!(depth(&|draft| mirrors(&mut draft.spheres, 2)), 9);
+    // From inside, a sphere mirrors itself.
+    assert_eq!(
+        depth(&|draft| {
+            draft.spheres.truncate(1);
+            draft.spheres[0] = Sphere { center: [0.0; 3], radius: 9.0, ..draft.spheres[0] };
+            mirrors(&mut draft.spheres, 1);
+        }),
+        9
+    );
+    // A plane does not.
+    assert_eq!(
+        depth(&|draft| {
+            let material = draft.spheres[1].material;
+            mirrors(&mut draft.spheres, 0);
+            let (point, normal) = ([0.0, -4.0, 0.0], [0.0, 1.0, 0.0]);
+            draft.planes.push(Plane { point, normal, material });
+        }),
+        1
+    );
+    // The workshop's offset may put a ray inside.
+    assert_eq!(
+        depth(&|draft| {
+            draft.render.numerics = Numerics::Textbook;
+            mirrors(&mut draft.spheres, 1);
+        }),
+        9
+    );
+}
