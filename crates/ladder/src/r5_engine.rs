@@ -1,0 +1,74 @@
+//! Rung 5, the engine: rung 4 with the shading in eight lanes too (`core::packet`).
+//!
+//! The engine knows no events. What its loop leaves on its stack on the way down, and takes
+//! off on the way up, is written down here in the words of the other rungs.
+
+use catoptric_core::watch::{Fold, Level};
+use catoptric_core::{Isa, Settings};
+use catoptric_scene::{Compiled, Counts, Film, Grid};
+use glam::Vec3;
+
+use crate::{Error, Event, Watch};
+
+/// Bytes that the engine's stacks may take.
+const STACK_LIMIT: usize = 2 << 30;
+
+pub(crate) fn render(scene: &Compiled, grid: &Grid, film: &mut Film) -> Result<Counts, Error> {
+    Ok(catoptric_core::render(scene, grid, film, settings(), &|_| ())?)
+}
+
+pub(crate) fn watch(
+    scene: &Compiled,
+    grid: &Grid,
+    (column, row): (usize, usize),
+    watch: &mut dyn Watch,
+) -> Result<Vec3, Error> {
+    let (column, row) = (grid.columns[column], grid.rows[row]);
+    let mut words = Words { scene, watch, depth: 0, weight: 1.0 };
+    Ok(catoptric_core::watch::watch(scene, column, row, settings(), &mut words)?.into())
+}
+
+fn settings() -> Settings {
+    Settings { isa: Isa::detected(), stack_limit: STACK_LIMIT }
+}
+
+/// Puts the engine's levels in words.
+struct Words<'a> {
+    scene: &'a Compiled,
+    watch: &'a mut dyn Watch,
+    /// Of the level that comes next.
+    depth: u32,
+    weight: f32,
+}
+
+impl catoptric_core::watch::Watch for Words<'_> {
+    fn level(&mut self, level: Level) {
+        let (depth, weight) = (self.depth, self.weight);
+        let (origin, direction) = (level.origin.into(), level.direction.into());
+        self.watch.see(Event::Call { depth, origin, direction, weight });
+        let (local, followed) = (level.local.into(), level.k > 0.0);
+        if let Some((primitive, distance)) = level.met {
+            let primitive = primitive as usize;
+            let material = self.scene.primitives[primitive].material as usize;
+            let k = self.scene.materials[material].mirror;
+            self.watch.see(Event::Hit { depth, primitive, distance, local, k, followed });
+        }
+        if followed {
+            self.depth += 1;
+            self.weight *= level.k;
+        } else {
+            self.watch.see(Event::Return { depth, colour: local });
+        }
+    }
+
+    fn fold(&mut self, fold: Fold) {
+        // The deepest level owes nothing, and has returned.
+        if fold.k > 0.0 {
+            self.depth -= 1;
+            let (depth, local, k) = (self.depth, fold.local.into(), fold.k);
+            let (back, colour) = (fold.back.into(), fold.colour.into());
+            self.watch.see(Event::Fold { depth, local, k, back, colour });
+            self.watch.see(Event::Return { depth, colour });
+        }
+    }
+}

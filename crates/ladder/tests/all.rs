@@ -1,0 +1,8 @@
+//! The tests of the ladder.
+
+mod aside;
+mod broken;
+mod comparison;
+mod native_stack;
+mod readme;
+mod rungs;
