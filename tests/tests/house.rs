@@ -15,13 +15,29 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("catoptric-core", &["catoptric-scene"]),
     ("catoptric-ladder", &["catoptric-core", "catoptric-reference", "catoptric-scene"]),
     (
-        "catoptric-cli",
+        "catoptric-study",
         &["catoptric-core", "catoptric-ladder", "catoptric-reference", "catoptric-scene"],
+    ),
+    (
+        "catoptric-cli",
+        &[
+            "catoptric-core",
+            "catoptric-ladder",
+            "catoptric-reference",
+            "catoptric-scene",
+            "catoptric-study",
+        ],
     ),
     ("catoptric-tests", &["catoptric-core", "catoptric-reference", "catoptric-scene"]),
     (
         "catoptric-benches",
-        &["catoptric-core", "catoptric-reference", "catoptric-scene", "catoptric-tests"],
+        &[
+            "catoptric-core",
+            "catoptric-reference",
+            "catoptric-scene",
+            "catoptric-study",
+            "catoptric-tests",
+        ],
     ),
 ];
 

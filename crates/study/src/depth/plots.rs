@@ -1,0 +1,45 @@
+//! Curves over depth.
+
+use super::Row;
+use crate::report::{Plot, Report, Scale, Series};
+
+/// Adds time and time per ray against depth.
+pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
+    let curves = |value: fn(&Row) -> Option<f64>| {
+        let mut ways: Vec<_> = rows.iter().map(|row| (row.tracer, row.threads)).collect();
+        ways.sort_unstable();
+        ways.dedup();
+        let curve = |(tracer, threads)| {
+            let of_way = rows.iter().filter(|r| (r.tracer, r.threads) == (tracer, threads));
+            let points = of_way.filter_map(|row| Some((f64::from(row.depth), value(row)?)));
+            let plural = if threads == 1 { "" } else { "s" };
+            Series {
+                name: format!("{}, {threads} thread{plural}", tracer.name()),
+                points: points.collect(),
+                dashed: false,
+            }
+        };
+        ways.into_iter().map(curve).collect()
+    };
+    report.plot(Plot {
+        name: format!("depth-{scene}-time"),
+        title: format!("{scene}: time of tracing against depth"),
+        caption: "Minimum of the runs. Where a curve is flat, no ray goes deeper.".to_owned(),
+        x: "max_depth".to_owned(),
+        y: "ms".to_owned(),
+        x_scale: Scale::Linear,
+        y_scale: Scale::Log,
+        series: curves(|row| row.times.min_ms()),
+    });
+    report.plot(Plot {
+        name: format!("depth-{scene}-ray"),
+        title: format!("{scene}: time a ray against depth"),
+        caption: "Rays of all kinds. A rise means that deep rays cost more than eye rays."
+            .to_owned(),
+        x: "max_depth".to_owned(),
+        y: "ns a ray".to_owned(),
+        x_scale: Scale::Linear,
+        y_scale: Scale::Log,
+        series: curves(Row::ns_per_ray),
+    });
+}

@@ -1,0 +1,122 @@
+//! A report as one JSON document.
+//!
+//! `rows` are those of the first table, which every study has; `tables` holds all others by
+//! name. A row is an object, its keys the columns' in their order.
+
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+use super::{Block, Cell, Column, Plot, Report, Table};
+use crate::occasion::Occasion;
+
+/// Of the document: grows when a key changes its meaning or goes.
+const VERSION: u32 = 1;
+
+/// The document, indented, with a line break at the end.
+#[must_use]
+pub fn document(report: &Report, made: &Occasion) -> String {
+    let mut tables = report.tables();
+    let document = Document {
+        schema: "catoptric-study",
+        version: VERSION,
+        study: report.study,
+        title: &report.title,
+        complete: report.complete,
+        made,
+        rows: tables.next().map(Rows),
+        tables: tables.map(NamedTable::of).collect(),
+        plots: plots(report).map(NamedPlot::of).collect(),
+        notes: notes(report).collect(),
+    };
+    let text = serde_json::to_string_pretty(&document);
+    text.expect("keys are strings, and nothing else can fail") + "\n"
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    schema: &'static str,
+    version: u32,
+    study: &'static str,
+    title: &'a str,
+    /// False if it was interrupted.
+    complete: bool,
+    made: &'a Occasion,
+    rows: Option<Rows<'a>>,
+    tables: Vec<NamedTable<'a>>,
+    plots: Vec<NamedPlot<'a>>,
+    /// What the study says of them in words.
+    notes: Vec<&'a str>,
+}
+
+#[derive(Serialize)]
+struct NamedTable<'a> {
+    name: &'static str,
+    caption: &'a str,
+    rows: Rows<'a>,
+}
+
+impl<'a> NamedTable<'a> {
+    fn of(table: &'a Table) -> Self {
+        Self { name: table.name, caption: &table.caption, rows: Rows(table) }
+    }
+}
+
+#[derive(Serialize)]
+struct NamedPlot<'a> {
+    name: &'a str,
+    x: &'a str,
+    y: &'a str,
+    series: Vec<NamedSeries<'a>>,
+}
+
+#[derive(Serialize)]
+struct NamedSeries<'a> {
+    name: &'a str,
+    points: &'a [(f64, f64)],
+}
+
+impl<'a> NamedPlot<'a> {
+    fn of(plot: &'a Plot) -> Self {
+        let series = plot.series.iter();
+        let series = series.map(|s| NamedSeries { name: &s.name, points: &s.points }).collect();
+        Self { name: &plot.name, x: &plot.x, y: &plot.y, series }
+    }
+}
+
+/// The rows of a table.
+struct Rows<'a>(&'a Table);
+
+impl Serialize for Rows<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(self.0.rows.iter().map(|cells| Row { columns: self.0.columns, cells }))
+    }
+}
+
+struct Row<'a> {
+    columns: &'a [Column],
+    cells: &'a [Cell],
+}
+
+impl Serialize for Row<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let mut map = to.serialize_map(Some(self.columns.len()))?;
+        for (column, cell) in self.columns.iter().zip(self.cells) {
+            map.serialize_entry(column.key, cell)?;
+        }
+        map.end()
+    }
+}
+
+fn plots(report: &Report) -> impl Iterator<Item = &Plot> {
+    report.blocks.iter().filter_map(|block| match block {
+        Block::Plot(plot) => Some(plot),
+        _ => None,
+    })
+}
+
+fn notes(report: &Report) -> impl Iterator<Item = &str> {
+    report.blocks.iter().filter_map(|block| match block {
+        Block::Text(text) => Some(text.as_str()),
+        _ => None,
+    })
+}

@@ -1,0 +1,42 @@
+//! Curves.
+
+/// Curves over one pair of axes.
+#[derive(Clone, Debug)]
+pub struct Plot {
+    /// A name for files: lower case, hyphens.
+    pub name: String,
+    /// One line above it.
+    pub title: String,
+    /// One sentence below it: what it shows.
+    pub caption: String,
+    /// Label of the horizontal axis, with its unit.
+    pub x: String,
+    /// Label of the vertical axis, with its unit.
+    pub y: String,
+    /// Of the horizontal axis.
+    pub x_scale: Scale,
+    /// Of the vertical axis.
+    pub y_scale: Scale,
+    /// In the order of the legend; at most eight, so that colours tell them apart.
+    pub series: Vec<Series>,
+}
+
+/// How an axis is divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By powers of ten; points that are not positive are not drawn.
+    Log,
+}
+
+/// One curve.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Its name in the legend.
+    pub name: String,
+    /// Its points, in the order in which they are joined. Those not finite are not drawn.
+    pub points: Vec<(f64, f64)>,
+    /// A bound or a theory, not a measurement: drawn dashed, without marks.
+    pub dashed: bool,
+}

@@ -1,0 +1,137 @@
+//! Large spheres, seen from near their surface.
+
+use catoptric_scene::family::Draws;
+use catoptric_scene::{Draft, Sphere};
+
+use super::super::exact::{Meeting, U, Vector, between, length, minus, narrow, vector, widen};
+use super::super::generic::{PLACE, across, along, direction, norm, unit};
+use super::super::rays::Rays;
+use super::super::suite::{Effort, Finding, Findings};
+use super::scenes::mirror;
+use crate::formula::Formula;
+
+/// The eye's height over the sphere.
+const HEIGHT: f64 = 4.123_4;
+
+pub(crate) fn run(effort: Effort) -> Vec<Finding> {
+    let mut findings = Findings::new();
+    ground(effort, &mut findings, "ground, generic origins", [0.1, 30.0]);
+    ground(effort, &mut findings, "ground, near-surface origins", [1e-5, 0.1]);
+    residuals(effort, &mut findings);
+    findings.done()
+}
+
+/// A sphere below the eye, which is at [`PLACE`]; `down` is where its centre is.
+fn sphere_below(radius: f64, down: [f64; 3]) -> Draft {
+    let mut draft = Draft::default();
+    let center = along(PLACE, down, radius + HEIGHT);
+    draft.camera.position = PLACE;
+    draft.camera.look_at = along(PLACE, down, 1.0);
+    draft.camera.up = across(&mut Draws::new(3), down);
+    draft.render.max_depth = 0;
+    draft.spheres.push(Sphere { center, radius, material: mirror(0.0) });
+    draft
+}
+
+/// A ray relative to the eye, rounded to f32, that starts outside of the sphere at a height
+/// between `heights`, within 50 units of the eye's foot, and goes down; and how it meets.
+fn ray_down(
+    draws: &mut Draws,
+    draft: &Draft,
+    heights: [f64; 2],
+) -> Option<(glam::Vec3, glam::Vec3, Meeting)> {
+    let Sphere { center, radius, .. } = draft.spheres[0];
+    let to_center: [f64; 3] = std::array::from_fn(|i| center[i] - PLACE[i]);
+    let up = unit(to_center.map(|x| -x));
+    let aside = across(draws, up);
+    let way = 50.0 * draws.unit();
+    // The sphere's point below, to second order; then up along its normal.
+    let normal = unit(along(up, aside, way / radius));
+    let drop = HEIGHT + way * way / (2.0 * radius);
+    let height = draws.log_between(heights[0], heights[1]);
+    let foot = along(along([0.0; 3], aside, way), up, -drop);
+    let origin = narrow(along(foot, normal, height));
+    let cosine = draws.log_between(0.02, 1.0);
+    let flat = across(draws, normal);
+    let sine = (1.0 - cosine * cosine).sqrt();
+    let d = narrow(along(normal.map(|x| -cosine * x), flat, sine));
+    let center = between(center, PLACE);
+    let meeting = Meeting::new(vector(widen(origin)), vector(widen(d)), center, radius);
+    let start: Vector = vector(widen(origin));
+    let outside = length(minus(start, center)).to_f64() > radius;
+    (outside && meeting.distance.is_some()).then_some((origin, d, meeting))
+}
+
+/// |t - exact t| on a ground of radius 1e4.
+fn ground(effort: Effort, findings: &mut Findings, case: &'static str, heights: [f64; 2]) {
+    const RADIUS: f64 = 10_003.7;
+    let tested = format!(
+        "radius {RADIUS}, {} rays from heights of {:e} to {} within 50 units, down with a cosine of 0.02 to 1",
+        effort.rays * 5,
+        heights[0],
+        heights[1]
+    );
+    let draft = sphere_below(RADIUS, direction(&mut Draws::new(41)));
+    for formula in Formula::ALL {
+        let rays = Rays::new(formula, &draft);
+        let draws = &mut Draws::new(42);
+        let (mut worst, mut absolute, mut relative, mut lost) = (0.0_f64, 0.0_f64, 0.0_f64, 0_u64);
+        for _ in 0..effort.rays * 5 {
+            let Some((origin, d, meeting)) = ray_down(draws, &draft, heights) else { continue };
+            let exact = meeting.distance.expect("only rays that meet").to_f64();
+            let Some(first) = rays.first(origin, d) else {
+                lost += 1;
+                continue;
+            };
+            let error = (first.distance - exact).abs();
+            let coordinates = norm(widen(origin)) + exact;
+            worst = worst.max(error * meeting.cosine / (U * coordinates));
+            absolute = absolute.max(error);
+            relative = relative.max(error / coordinates);
+        }
+        let measured = if lost == 0 { worst } else { f64::INFINITY };
+        let sentence = format!(
+            "Largest error of t {absolute:.1e}, {relative:.1e} of the ray's coordinates; {lost} hits lost."
+        );
+        findings.push(case, formula, &tested, measured, sentence);
+    }
+}
+
+/// How far from the sphere the point is that was found, radii of 1e5 to 1e12.
+fn residuals(effort: Effort, findings: &mut Findings) {
+    let directions = 10;
+    let rays = effort.rays / 10;
+    let tested = format!(
+        "radii 1e5, 1e6 ... 1e12, each about {directions} centres in generic directions at a height of {HEIGHT}, {rays} rays each"
+    );
+    for formula in Formula::ALL {
+        let mut worst_of = Vec::new();
+        for exponent in 5..=12 {
+            let radius = 10_f64.powf(f64::from(exponent));
+            let mut worst = 0.0_f64;
+            for seed in 0..directions {
+                let draft = sphere_below(radius, direction(&mut Draws::new(100 + seed)));
+                let rays_of = Rays::new(formula, &draft);
+                let draws = &mut Draws::new(200 + seed);
+                let center = between(draft.spheres[0].center, PLACE);
+                for _ in 0..rays {
+                    let ray = ray_down(draws, &draft, [0.1, 30.0]);
+                    let Some((origin, d, meeting)) = ray else { continue };
+                    let exact = meeting.distance.expect("only rays that meet").to_f64();
+                    let Some(first) = rays_of.first(origin, d) else {
+                        worst = f64::INFINITY;
+                        continue;
+                    };
+                    let off = length(minus(vector(first.point), center));
+                    let off = (off - radius.into()).to_f64().abs();
+                    worst = worst.max(off / (norm(widen(origin)) + exact));
+                }
+            }
+            worst_of.push(worst);
+        }
+        let worst = worst_of.iter().copied().fold(0.0, f64::max);
+        let each = worst_of.iter().map(|x| format!("{x:.0e}")).collect::<Vec<_>>().join(", ");
+        let sentence = format!("By radius: {each}; infinite: a hit lost.");
+        findings.push("radii to 1e12", formula, &tested, worst, sentence);
+    }
+}

@@ -1,0 +1,86 @@
+//! Single rays through the formulas: any ray, not only those of a picture.
+
+use catoptric_reference::{double, path, trace};
+use catoptric_scene::{Compiled, Draft};
+use glam::{DVec3, Vec3};
+
+use super::exact::{narrow, widen};
+use crate::formula::Formula;
+
+/// A scene without repeated surfaces, for rays that start relative to its eye.
+pub(crate) enum Rays {
+    F32(Compiled),
+    F64(Compiled<f64>),
+}
+
+/// Where a ray starts, where it goes, and the primitive that it leaves. For a formula in f32
+/// the numbers are rounded to f32.
+#[derive(Clone, Copy)]
+pub(crate) struct Start {
+    pub(crate) origin: [f64; 3],
+    pub(crate) direction: [f64; 3],
+    pub(crate) left: Option<usize>,
+}
+
+/// What a ray meets.
+pub(crate) struct Met {
+    pub(crate) primitive: usize,
+    /// How far.
+    pub(crate) distance: f64,
+    /// Where, relative to the eye.
+    pub(crate) point: [f64; 3],
+    /// Where the next ray starts, and what it leaves.
+    pub(crate) start: [f64; 3],
+    pub(crate) left: Option<usize>,
+    /// For each lamp, whether it lights that point.
+    pub(crate) lit: Vec<bool>,
+}
+
+impl Rays {
+    pub(crate) fn new(formula: Formula, draft: &Draft) -> Self {
+        let scene = formula.scene(draft);
+        match formula {
+            Formula::RobustF64 => Self::F64(Compiled::of(&scene)),
+            Formula::TextbookF32 | Formula::RobustF32 => Self::F32(Compiled::new(&scene)),
+        }
+    }
+
+    /// The first hit of a ray that leaves no surface.
+    pub(crate) fn first(&self, origin: Vec3, direction: Vec3) -> Option<Met> {
+        let start = Start { origin: widen(origin), direction: widen(direction), left: None };
+        self.follow(start).into_iter().next()
+    }
+
+    /// Everything that a ray meets.
+    pub(crate) fn follow(&self, start: Start) -> Vec<Met> {
+        let Start { origin, direction, left } = start;
+        match self {
+            Self::F32(scene) => {
+                let (origin, direction) = (narrow(origin), narrow(direction));
+                let steps = path::follow(scene, trace::Ray { origin, direction, left });
+                let met = |step: path::Step| Met {
+                    primitive: step.primitive,
+                    distance: step.distance.into(),
+                    point: widen(step.surface.point),
+                    start: widen(step.surface.start),
+                    left: step.surface.left,
+                    lit: step.lit,
+                };
+                steps.into_iter().map(met).collect()
+            }
+            Self::F64(scene) => {
+                let (origin, direction) = (DVec3::from(origin), DVec3::from(direction));
+                let ray = double::trace::Ray { origin, direction, left };
+                let met = |step: double::path::Step| Met {
+                    primitive: step.primitive,
+                    distance: step.distance,
+                    point: step.surface.point.into(),
+                    start: step.surface.start.into(),
+                    left: step.surface.left,
+                    lit: step.lit,
+                };
+                double::path::follow(scene, ray).into_iter().map(met).collect()
+            }
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! The cases, and how they are judged.
+
+use super::bounds::{BOUNDS, Bound};
+use super::cases;
+use crate::formula::Formula;
+
+/// What one case found for one formula.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// The case's name in [`BOUNDS`].
+    pub case: &'static str,
+    /// Of which formula; `None` where none is asked yet, in validation.
+    pub formula: Option<Formula>,
+    /// What is tested, with its parameters.
+    pub tested: String,
+    /// The measured value.
+    pub measured: f64,
+    /// One sentence: what was seen beside it.
+    pub sentence: String,
+}
+
+/// How a finding compares with its bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Within the bound.
+    Holds,
+    /// Beyond it, and that is known: why.
+    FailsAsKnown(&'static str),
+    /// Beyond it.
+    Fails,
+    /// Within it, though it is listed as a known failure: the table is out of date.
+    HoldsNow,
+}
+
+impl Verdict {
+    /// As reports write it.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::FailsAsKnown(_) => "fails as known",
+            Self::Fails => "FAILS",
+            Self::HoldsNow => "HOLDS, though listed as a known failure",
+        }
+    }
+
+    /// Whether the table of bounds says so too.
+    #[must_use]
+    pub fn is_expected(self) -> bool {
+        matches!(self, Self::Holds | Self::FailsAsKnown(_))
+    }
+}
+
+/// How much is measured. The suite's own sizes by default.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// Scenes of extreme input.
+    pub scenes: u64,
+    /// Rays for each parameter of the cases that shoot single rays.
+    pub rays: u64,
+}
+
+impl Default for Effort {
+    fn default() -> Self {
+        Self { scenes: 100_000, rays: 2_000 }
+    }
+}
+
+/// Some cases that are measured together.
+pub struct Experiment {
+    /// Its name, for people who wait.
+    pub name: &'static str,
+    /// Measures all its cases with every formula.
+    pub run: fn(Effort) -> Vec<Finding>,
+}
+
+/// All, in the order of the report.
+pub const EXPERIMENTS: [Experiment; 9] = [
+    Experiment { name: "workshop", run: cases::workshop::run },
+    Experiment { name: "large", run: cases::large::run },
+    Experiment { name: "distant", run: cases::distant::run },
+    Experiment { name: "contact", run: cases::contact::run },
+    Experiment { name: "invariance", run: cases::invariance::run },
+    Experiment { name: "mirrors", run: cases::mirrors::run },
+    Experiment { name: "refusals", run: cases::refusals::run },
+    Experiment { name: "edges", run: cases::edges::run },
+    Experiment { name: "extreme", run: cases::extreme::run },
+];
+
+/// The bound of a finding.
+///
+/// # Panics
+/// If the table has none.
+#[must_use]
+pub fn bound(finding: &Finding) -> &'static Bound {
+    let bound = BOUNDS.iter().find(|bound| bound.case == finding.case);
+    bound.unwrap_or_else(|| panic!("no bound for {}", finding.case))
+}
+
+/// Compares a finding with its bound. NaN fails.
+#[must_use]
+pub fn verdict(finding: &Finding) -> Verdict {
+    let bound = bound(finding);
+    let known = bound.known.iter().find(|(formula, _)| Some(*formula) == finding.formula);
+    match (finding.measured <= bound.most, known) {
+        (true, None) => Verdict::Holds,
+        (true, Some(_)) => Verdict::HoldsNow,
+        (false, Some((_, text))) => Verdict::FailsAsKnown(text),
+        (false, None) => Verdict::Fails,
+    }
+}
+
+/// Collects the findings of one experiment.
+pub(crate) struct Findings {
+    all: Vec<Finding>,
+}
+
+impl Findings {
+    pub(crate) fn new() -> Self {
+        Self { all: Vec::new() }
+    }
+
+    /// A measured value.
+    pub(crate) fn push(
+        &mut self,
+        case: &'static str,
+        formula: impl Into<Option<Formula>>,
+        tested: &str,
+        measured: f64,
+        sentence: String,
+    ) {
+        let (formula, tested) = (formula.into(), tested.to_owned());
+        self.all.push(Finding { case, formula, tested, measured, sentence });
+    }
+
+    pub(crate) fn done(self) -> Vec<Finding> {
+        self.all
+    }
+}

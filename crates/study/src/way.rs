@@ -1,0 +1,46 @@
+//! Ways to trace a picture in f32: the two renderers, and what leads from one to the other.
+
+use catoptric_core::{Isa, Plan, Settings, render_planned};
+use catoptric_ladder::Rung;
+use catoptric_scene::{Compiled, Counts, Film, Grid};
+
+use crate::tracer::{STACK_LIMIT, TooDeep, Tracer};
+
+/// One way.
+#[derive(Clone, Copy, Debug)]
+pub enum Way {
+    /// One of the two renderers.
+    Tracer(Tracer),
+    /// The packet engine with a plan that leaves nothing out.
+    Everything(Isa),
+    /// A rung of the ladder.
+    Rung(&'static Rung),
+}
+
+impl Way {
+    /// `recursive`, `packet`, `r0`, ...
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tracer(tracer) => tracer.name(),
+            Self::Everything(isa) => Tracer::Packet(isa).name(),
+            Self::Rung(rung) => rung.name,
+        }
+    }
+
+    /// Renders on rayon's current threads.
+    ///
+    /// # Errors
+    /// A path too deep for its stack.
+    pub fn render(self, scene: &Compiled, grid: &Grid, film: &mut Film) -> Result<Counts, TooDeep> {
+        match self {
+            Self::Tracer(tracer) => tracer.render(scene, grid, film),
+            Self::Everything(isa) => {
+                let plan = Plan::everything(scene, grid);
+                let settings = Settings { isa, stack_limit: STACK_LIMIT };
+                render_planned(scene, &plan, grid, film, settings, &|_| {}).map_err(|_| TooDeep)
+            }
+            Self::Rung(rung) => (rung.render)(scene, grid, film).map_err(|_| TooDeep),
+        }
+    }
+}
