@@ -1,6 +1,8 @@
-//! Signals: SIGINT, SIGTERM and SIGHUP remove what is unfinished and exit 130.
+//! Signals: SIGINT, SIGTERM and SIGHUP remove what is unfinished and exit 130. A study stops
+//! at the first one and keeps what it has measured.
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::{fs, process};
 
@@ -18,16 +20,36 @@ pub(crate) fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// Whether a signal has asked to stop.
+static ASKED: AtomicBool = AtomicBool::new(false);
+
+/// Whether a signal has asked to stop; only after [`catch_the_second`].
+pub(crate) fn asked() -> bool {
+    ASKED.load(Ordering::Relaxed)
+}
+
+/// From here on, the first interruption only asks, and the second leaves nothing behind.
+pub(crate) fn catch_the_second() {
+    set_handler(true);
+}
+
 /// From here on, an interruption leaves nothing behind.
-///
+pub(crate) fn catch() {
+    set_handler(false);
+}
+
 /// Not so under `nohup`: the signals are caught together, so the hang-up that the caller
 /// wants ignored could not be told from the others. There they keep their defaults.
-pub(crate) fn catch() {
+fn set_handler(first_asks: bool) {
     if hang_up_is_ignored() {
         return;
     }
     // Failing here means that the system lacks handlers; rendering works all the same.
-    let _ = ctrlc::set_handler(|| {
+    let _ = ctrlc::set_handler(move || {
+        if first_asks && !ASKED.swap(true, Ordering::Relaxed) {
+            say(format_args!("interrupted: keeping what is measured; once more ends at once"));
+            return;
+        }
         // Kept locked to the end: nothing is renamed into place after this line.
         let unfinished = unfinished();
         for path in unfinished.iter() {

@@ -7,10 +7,16 @@
 //!   compare/      measuring differences, reporting them
 //! generate.rs   families of scenes: options to scene to file
 //!   generate/     the families' options, the command that makes a file again
+//! explain.rs    what a scene needs, or the life of one eye ray, as words, JSON or a page
+//!   explain/        the scene's account, the ray's life, the page and its drawing
+//! study.rs      what accuracy and depth cost: options to report to files
+//!   study/        its options, its interruption, where the report goes
 //! format.rs     png, ppm, pfm: bytes of a picture, both ways
+//! scene.rs      a scene's file
 //! input.rs      bytes of a file or of stdin
 //! output.rs     where bytes go: beside and renamed, or directly
 //! interrupt.rs  signals: remove what is unfinished, exit 130
+//! machine.rs    instruction sets and threads
 //! memory.rs     sizes, and what a rendering will take
 //! whole.rs      whole numbers of the command line
 //! exit.rs       exit codes and error messages
@@ -18,13 +24,17 @@
 
 mod compare;
 mod exit;
+mod explain;
 mod format;
 mod generate;
 mod input;
 mod interrupt;
+mod machine;
 mod memory;
 mod output;
 mod render;
+mod scene;
+mod study;
 mod whole;
 
 use std::process::ExitCode;
@@ -45,13 +55,15 @@ struct Catoptric {
 enum Command {
     Render(Box<render::Options>),
     Compare(compare::Options),
+    Explain(explain::Options),
+    Study(study::Options),
     Generate(generate::Options),
 }
 
 const EXIT_CODES: &str = "\
 Exit codes:
     0  done
-    1  the rendering failed, or `compare` found a difference
+    1  the rendering failed, `compare` found a difference, a study found a wrong picture
     2  wrong use, or pictures that cannot be compared
     3  a scene or picture is missing or bad, or needs more memory than the limit
     4  output could not be written
@@ -73,6 +85,8 @@ fn main() -> ExitCode {
     let ended = match asked.command {
         Command::Render(options) => render::run(&options),
         Command::Compare(options) => compare::run(&options),
+        Command::Explain(options) => explain::run(&options),
+        Command::Study(options) => study::run(&options),
         Command::Generate(options) => generate::run(&options),
     };
     match ended {

@@ -58,7 +58,8 @@ impl fmt::Display for Size {
     }
 }
 
-/// What a rendering is made of, as far as its memory goes. Stacks are not part of it.
+/// What a rendering is made of, as far as its memory goes. What a thread keeps of a tile, and its
+/// stack, are not part of it.
 pub(crate) struct Need {
     /// Columns of what is rendered.
     pub(crate) width: u32,
@@ -70,21 +71,17 @@ pub(crate) struct Need {
     pub(crate) format: Format,
     /// Whether there is a film, and not 8-bit levels from the first.
     pub(crate) film: bool,
-    /// Threads that trace.
-    pub(crate) threads: usize,
     /// The scene's text and what is made of it, in bytes.
     pub(crate) scene: u64,
 }
 
 impl Need {
-    /// Bytes at most: the picture, what each thread keeps of it, the scene and the grid.
+    /// Bytes at most: the picture, the scene and the grid.
     fn bytes(&self) -> u64 {
         let (width, height) = (u64::from(self.width), u64::from(self.height));
         let picture = self.format.bytes(self.width, self.height, self.film);
-        // Eight rows in linear light.
-        let threads = if self.film { 0 } else { self.threads as u64 * width * 96 };
         let grid = (width + height) * u64::from(self.samples) * 4;
-        picture + threads + grid + self.scene
+        picture + grid + self.scene
     }
 
     /// What is left of the limit: bytes for the stacks of deep paths.
@@ -112,7 +109,7 @@ impl Need {
 
 /// Whether the system has room for so many bytes. They are asked for and given back
 /// untouched; what fails later, when they are taken in earnest, ends the program.
-fn granted(bytes: u64) -> bool {
+pub(crate) fn granted(bytes: u64) -> bool {
     let bytes = usize::try_from(bytes).unwrap_or(usize::MAX);
     // Seen from outside, or the compiler would leave out what is given back at once.
     std::hint::black_box(Vec::<u8>::new()).try_reserve_exact(bytes).is_ok()

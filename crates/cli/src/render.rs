@@ -8,7 +8,6 @@ mod stats;
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
-use std::thread;
 use std::time::Instant;
 
 use catoptric_scene::{Numerics, Quantiser, Scene, View};
@@ -17,9 +16,11 @@ use crate::exit::{Exit, Failure, say};
 use crate::format::Format;
 use crate::input::is_stream;
 use crate::interrupt;
+use crate::machine;
 use crate::memory::Need;
 use crate::output::{Target, commit};
-use engine::{Engine, Precision, Rendered, Tracing};
+pub(crate) use engine::Engine;
+use engine::{Precision, Rendered, Tracing};
 pub(crate) use options::Options;
 use scene::Loaded;
 use stats::{Rays, Stats, Times, ms};
@@ -31,7 +32,7 @@ use stats::{Rays, Stats, Times, ms};
 pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let start = Instant::now();
     interrupt::catch();
-    let isa = engine::instruction_set()?;
+    let isa = machine::instruction_set()?;
     let (path, format) = picture(options)?;
     check_combinations(options, &path)?;
 
@@ -39,11 +40,12 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let load = start.elapsed();
     let view = View::new(&scene, options.crop, options.samples).map_err(Failure::wrong_use)?;
     let (width, height) = (view.crop().width, view.crop().height);
-    let threads = options.threads.map_or_else(available_threads, |threads| threads as usize);
+    let threads =
+        options.threads.map_or_else(machine::available_threads, |threads| threads as usize);
     // The packet engine goes straight to levels where no more is asked for.
     let film = options.engine == Engine::Recursive || !format.is_8_bit();
     let samples = options.samples;
-    let need = Need { width, height, samples, format, film, threads, scene: bytes };
+    let need = Need { width, height, samples, format, film, scene: bytes };
     let stack_limit = need.within(options.memory_limit)?;
     let (picture, report) = targets(options, &path)?;
 
@@ -60,7 +62,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let bar = progress::bar(u64::from(width) * u64::from(height), options.progress, options.quiet);
     let rendered = pool.install(|| tracing.render(&scene, &view, &|pixels| bar.inc(pixels)));
     bar.finish_and_clear();
-    let Rendered { picture: pixels, counts, compile, trace } = rendered?;
+    let Rendered { picture: pixels, counts, plan, compile, trace } = rendered?;
 
     let encoding = Instant::now();
     let staged = pool.install(|| picture.stage(|to| format.write(pixels, &quantiser, to)))?;
@@ -87,7 +89,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         },
         rays: Rays::of(&counts),
         depths: stats::depths(&counts),
-        plan: None,
+        plan: plan.as_ref().map(stats::Planned::of),
     };
     let reported = report.map(|report| {
         report.stage(|to| {
@@ -173,11 +175,6 @@ fn one_place(name: impl Display) -> Failure {
     Failure::wrong_use(format_args!(
         "the picture and --stats cannot both go to {name}: name another file for one of them"
     ))
-}
-
-/// As many as the system can run at once, as far as it says so.
-fn available_threads() -> usize {
-    thread::available_parallelism().map_or(1, usize::from).min(1024)
 }
 
 /// The formulas that were used.

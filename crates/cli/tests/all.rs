@@ -1,9 +1,11 @@
 //! The program, from outside: arguments in; bytes, files and exit codes out.
 
 mod broken;
+mod browser;
 mod compare;
 mod elsewhere;
 mod examples;
+mod explain;
 mod formats;
 mod generate;
 mod limits;
@@ -13,4 +15,5 @@ mod program;
 mod refusals;
 mod signals;
 mod stats;
+mod study;
 mod views;

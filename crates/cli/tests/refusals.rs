@@ -255,8 +255,11 @@ fn the_help_s_examples_work() {
     folder.done("render scene.toml -o recursive.pfm");
     folder.done("render scene.toml -o before.png");
     folder.done("render scene.toml -o after.ppm");
+    // The repository's own scenes, at their names.
+    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes");
+    std::os::unix::fs::symlink(scenes, folder.path("scenes")).expect("a link");
     let mut tried = 0;
-    for command in ["render --help", "compare --help"] {
+    for command in ["render --help", "compare --help", "explain --help"] {
         let help = folder.done(command).text().to_owned();
         let examples = help.split_once("Examples:").expect("examples").1.lines();
         for example in examples.map(str::trim).filter(|line| !line.is_empty()) {
@@ -273,5 +276,5 @@ fn the_help_s_examples_work() {
             tried += 1;
         }
     }
-    assert_eq!(tried, 8);
+    assert_eq!(tried, 12);
 }

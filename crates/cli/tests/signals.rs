@@ -1,5 +1,6 @@
 //! Interruptions: exit code 130, and nothing left behind.
 
+use std::io::{BufRead, BufReader};
 use std::os::unix::process::ExitStatusExt;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
@@ -71,6 +72,21 @@ fn a_long_rendering_leaves_nothing() {
 }
 
 #[test]
+fn a_long_explanation_is_given_up() {
+    let folder = Folder::new();
+    // Minutes, if nothing interrupts it.
+    folder.done("generate room --reflect 1 --width 2000 --height 2000 --max-depth 9999 -o r.toml");
+    let before = folder.contents();
+    for asked in ["explain r.toml", "explain r.toml --pixel 0,0 --html page.html"] {
+        let child = start(&folder, asked);
+        wait_for_handler(&child);
+        sleep(Duration::from_millis(100));
+        interrupt(child, "INT");
+        assert_eq!(folder.contents(), before, "{asked}");
+    }
+}
+
+#[test]
 fn what_is_written_but_not_in_place_is_removed() {
     let folder = Folder::new();
     let fifo = folder.path("fifo");
@@ -99,4 +115,34 @@ fn a_scene_that_waits_for_its_reader_is_given_up() {
     wait_for_handler(&child);
     interrupt(child, "TERM");
     assert_eq!(folder.contents(), before);
+}
+
+#[test]
+fn a_study_keeps_what_it_has_measured() {
+    for (study, rows_are) in [("depth --depths 1,2", 2 * 4), ("error", 75)] {
+        let folder = Folder::new();
+        // Hours, if nothing interrupts it.
+        let asked = format!("study {study} scene.toml --repeat 1000000 -o out");
+        let mut child = Command::new(CATOPTRIC)
+            .args(asked.split_whitespace())
+            .current_dir(folder.path("."))
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        let stderr = BufReader::new(child.stderr.take().expect("a pipe"));
+        let timing = |line: std::io::Result<String>| line.expect("text").contains("timing");
+        assert!(stderr.lines().any(timing), "{study}");
+        sleep(Duration::from_millis(300));
+        interrupt(child, "INT");
+        let name = study.split_whitespace().next().expect("a name");
+        let json: serde_json::Value =
+            serde_json::from_slice(&folder.read(&format!("out/{name}.json"))).expect("JSON");
+        assert_eq!(json["complete"], false);
+        let rows = json["rows"].as_array().expect("rows");
+        assert!(rows.len() >= rows_are, "{study}: {}", rows.len());
+        assert!(rows.iter().all(|row| row["runs"].as_u64() < Some(1_000_000)));
+        assert!(rows.iter().any(|row| row["min_ms"].as_f64().is_some()));
+        assert!(folder.read("out/index.html").windows(11).any(|w| w == b"Interrupted"));
+    }
 }

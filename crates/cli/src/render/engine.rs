@@ -1,9 +1,8 @@
 //! The two engines and truth, behind one call.
 
-use std::env;
 use std::time::{Duration, Instant};
 
-use catoptric_core::{Isa, Settings, render_levels};
+use catoptric_core::{Isa, Plan, Settings, render_levels};
 use catoptric_reference::truth::{self, Truth};
 use catoptric_scene::{Compiled, Counts, Crop, Film, Grid, Quantiser, Scene, View};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -64,31 +63,10 @@ pub(super) struct Tracing<'a> {
 pub(super) struct Rendered {
     pub(super) picture: Picture,
     pub(super) counts: Counts,
+    /// Of the packet engine.
+    pub(super) plan: Option<Plan>,
     pub(super) compile: Duration,
     pub(super) trace: Duration,
-}
-
-/// The instruction set that `CATOPTRIC_ISA` asks for, lowered to what the processor has.
-/// Empty is as good as not set.
-///
-/// # Errors
-/// Exit code 2 for an unknown name.
-pub(super) fn instruction_set() -> Result<Isa, Failure> {
-    let best = Isa::detected();
-    let asked = env::var_os("CATOPTRIC_ISA").unwrap_or_default();
-    if asked.is_empty() {
-        return Ok(best);
-    }
-    match asked.to_str().and_then(Isa::named) {
-        Some(isa) => Ok(isa.min(best)),
-        None => {
-            let known = Isa::ALL.map(Isa::name).join(" and ");
-            let asked = asked.display();
-            Err(Failure::wrong_use(format_args!(
-                "CATOPTRIC_ISA is {asked:?}: allowed are {known}; unset it for the best of this processor"
-            )))
-        }
-    }
 }
 
 impl Tracing<'_> {
@@ -135,7 +113,7 @@ impl Tracing<'_> {
         let compile = start.elapsed();
         let (film, counts) = self.bands(&truth, scene, view, done)?;
         let picture = Picture::Linear(film);
-        Ok(Rendered { picture, counts, compile, trace: start.elapsed() - compile })
+        Ok(Rendered { picture, counts, plan: None, compile, trace: start.elapsed() - compile })
     }
 
     fn render_f32(
@@ -148,6 +126,7 @@ impl Tracing<'_> {
         let compiled = Compiled::new(scene);
         let grid = Grid::new(view);
         let compile = start.elapsed();
+        let plan = (self.engine == Engine::Packet).then(|| Plan::new(&compiled, &grid));
         let (width, height) = (view.crop().width, view.crop().height);
         let (picture, counts) = match self.engine {
             Engine::Packet => {
@@ -183,7 +162,7 @@ impl Tracing<'_> {
                 (Picture::Linear(film), counts)
             }
         };
-        Ok(Rendered { picture, counts, compile, trace: start.elapsed() - compile })
+        Ok(Rendered { picture, counts, plan, compile, trace: start.elapsed() - compile })
     }
 
     /// Truth, some rows at a time: its f64 picture is never there as a whole, and progress

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use catoptric_core::Plan;
 use catoptric_scene::Counts;
 use serde::Serialize;
 
@@ -34,8 +35,25 @@ pub(super) struct Stats<'a> {
     pub(super) rays: Rays,
     /// By depth, 0 first, as deep as rays went.
     pub(super) depths: Vec<Depth>,
-    /// Null until there is one.
-    pub(super) plan: Option<()>,
+    /// What the packet engine made of the scene; null for the recursive one. `catoptric explain`
+    /// says it in words.
+    pub(super) plan: Option<Planned>,
+}
+
+/// The packet engine's plan.
+#[derive(Debug, Serialize)]
+pub(super) struct Planned {
+    /// Reflections that can occur, at most `max_depth`.
+    pub(super) depth: u32,
+    /// Work that is left out because no bit depends on it.
+    pub(super) omitted: Vec<&'static str>,
+}
+
+impl Planned {
+    pub(super) fn of(plan: &Plan) -> Self {
+        let omitted = plan.omitted.iter().map(|omission| omission.name()).collect();
+        Self { depth: plan.depth, omitted }
+    }
 }
 
 /// Wall-clock milliseconds.

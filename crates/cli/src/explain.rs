@@ -1,0 +1,158 @@
+//! `catoptric explain`: what a scene has and needs and where its rays end; or the whole life of
+//! one eye ray.
+
+mod account;
+mod drawing;
+mod life;
+mod page;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use catoptric_core::Isa;
+use catoptric_scene::Scene;
+use catoptric_study::tracer::Threads;
+use clap::Args;
+use serde::Serialize;
+
+use crate::exit::{Exit, Failure, say};
+use crate::input::is_stream;
+use crate::output::{Target, commit};
+use crate::{interrupt, machine, scene};
+use account::Account;
+use life::Life;
+
+/// Explain a scene, or one pixel's ray from the eye and back
+///
+/// Without --pixel: what the scene has and needs, how deep its rays go, what capping them costs
+/// at most, and which max_depth is enough; the picture is rendered some times for that. With
+/// --pixel: every call, hit, fold and return of the recursion beside what the engine's stack
+/// does, with the numbers of both.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Options {
+    /// Scene file; `-` reads stdin
+    #[arg(value_name = "SCENE|-")]
+    scene: PathBuf,
+
+    /// Follow the eye ray of that pixel; 0,0 is the top left
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = pixel)]
+    pixel: Option<Pixel>,
+
+    /// Print one JSON document on stdout
+    #[arg(long)]
+    json: bool,
+
+    /// Write the ray's life as one page for a browser, to be stepped through; needs --pixel
+    #[arg(long, value_name = "FILE|-", requires = "pixel")]
+    html: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  catoptric explain scenes/workshop.toml
+  catoptric explain scenes/workshop.toml --pixel 494,200
+  catoptric explain scenes/kissing.toml --pixel 320,240 --html ray.html
+  catoptric explain scenes/workshop.toml --json";
+
+/// A pixel of the image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Pixel {
+    x: u32,
+    y: u32,
+}
+
+fn pixel(text: &str) -> Result<Pixel, &'static str> {
+    let number = |part: &str| part.trim().parse().ok();
+    let both = text.split_once(',').and_then(|(x, y)| Some((number(x)?, number(y)?)));
+    let (x, y) = both.ok_or("allowed are two whole numbers X,Y, such as 320,240")?;
+    Ok(Pixel { x, y })
+}
+
+/// Explains, in the form that was asked for.
+pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
+    interrupt::catch();
+    let isa = machine::instruction_set()?;
+    if options.json && options.html.as_deref().is_some_and(is_stream) {
+        return Err(Failure::wrong_use("--json and --html - cannot both go to stdout"));
+    }
+    let scene = scene::read(&options.scene)?;
+    let threads = machine::available_threads();
+    let threads = Threads::new([threads]).map_err(|error| {
+        Failure::failed(format_args!("{threads} threads cannot be had: {error}"))
+    })?;
+    match options.pixel {
+        None => {
+            let name = options.scene.to_string_lossy();
+            let account = threads.most().install(|| Account::new(&name, &scene, isa))?;
+            print(options.json, &account, |to| account::text::write(&account, to))?;
+        }
+        Some(pixel) => explain_pixel(options, &scene, pixel, &threads, isa)?,
+    }
+    Ok(Exit::Done)
+}
+
+fn explain_pixel(
+    options: &Options,
+    scene: &Scene,
+    pixel: Pixel,
+    threads: &Threads,
+    isa: Isa,
+) -> Result<(), Failure> {
+    let (width, height) = (scene.image.width, scene.image.height);
+    if pixel.x >= width || pixel.y >= height {
+        let Pixel { x, y } = pixel;
+        return Err(Failure::wrong_use(format_args!(
+            "pixel {x},{y} is not in the image of {width}x{height}: allowed are X from 0 to {} and Y from 0 to {}",
+            width - 1,
+            height - 1
+        )));
+    }
+    let target = options.html.as_deref().map(|path| page_target(path, &options.scene));
+    let target = target.transpose()?;
+
+    let name = options.scene.to_string_lossy();
+    let life = threads.most().install(|| Life::new(&name, scene, pixel, isa))?;
+    let Some(target) = target else {
+        return print(options.json, &life, |to| life::text::write(&life, to));
+    };
+    let page = threads.most().install(|| page::page(&life, isa))?;
+    let staged = target.stage(|to| to.write_all(page.as_bytes()))?;
+    if options.json {
+        print(true, &life, |_| Ok(()))?;
+    }
+    commit([staged])?;
+    say(format_args!("{}: {} steps, to be opened in a browser", target.name(), life.steps()));
+    Ok(())
+}
+
+/// Where the page goes; not over the scene.
+fn page_target(path: &Path, scene: &Path) -> Result<Target, Failure> {
+    let target = Target::new(path)?;
+    if target.replaces(scene) {
+        let name = target.name();
+        return Err(Failure::wrong_use(format_args!(
+            "{name} is the scene itself: name another file"
+        )));
+    }
+    target.probe()?;
+    Ok(target)
+}
+
+/// One document on stdout, as JSON or as words.
+fn print(
+    json: bool,
+    document: &impl Serialize,
+    words: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    let stdout = Target::new(Path::new("-"))?;
+    let staged = stdout.stage(|to| {
+        if json {
+            serde_json::to_writer_pretty(&mut *to, document)?;
+            writeln!(to)
+        } else {
+            words(to)
+        }
+    });
+    staged.map(drop)
+}

@@ -1,0 +1,200 @@
+//! The account of a scene: one structure, as words and as JSON.
+
+mod features;
+mod plan;
+pub(super) mod text;
+
+use catoptric_core::Isa;
+use catoptric_scene::{Compiled, Film, Grid, Numerics, Scene, Transfer, View};
+use catoptric_study::error::{Enough, enough};
+use catoptric_study::light::LightBounds;
+use catoptric_study::subject::Subject;
+use catoptric_study::tracer::{TooDeep, Tracer};
+use serde::Serialize;
+
+use crate::exit::Failure;
+use crate::memory::{Size, granted};
+use features::{Has, Needs};
+
+/// What `explain` says of a scene. Every key is always there.
+#[derive(Debug, Serialize)]
+pub(super) struct Account {
+    /// `catoptric-explain`.
+    schema: &'static str,
+    /// Grows when a key changes its meaning or goes.
+    version: u32,
+    /// As the command line named it; `-` for stdin.
+    scene: String,
+    width: u32,
+    height: u32,
+    /// `linear` or `srgb`.
+    transfer: &'static str,
+    /// `robust` or `textbook`.
+    numerics: &'static str,
+    max_depth: u32,
+    min_weight: f64,
+    has: Has,
+    needs: Needs,
+    /// What the engine leaves out, and why that is safe.
+    plan: plan::Told,
+    rays: Rays,
+    /// Ever larger caps, up to the deepest ray.
+    caps: Vec<Cap>,
+    enough: Depths,
+}
+
+/// The rays of the scene's own picture, one sample a pixel. Logical: what the picture needs,
+/// whether or not the engine has to trace it.
+#[derive(Debug, Serialize)]
+struct Rays {
+    primary: u64,
+    reflection: u64,
+    shadow: u64,
+    /// The most reflections that one has behind it.
+    deepest: u32,
+    /// The same with max_depth raised to 256, if it is below; null if rays go on there.
+    end: Option<u32>,
+    /// By depth, 0 first.
+    depths: Vec<Depth>,
+}
+
+/// What happens after that many reflections.
+#[derive(Debug, Serialize)]
+struct Depth {
+    depth: usize,
+    rays: u64,
+    hits: u64,
+    shadow: u64,
+}
+
+/// What ending all paths early can change at most.
+#[derive(Debug, Serialize)]
+struct Cap {
+    max_depth: u32,
+    /// Of a channel, linear, in exact arithmetic, against the scene's own max_depth; known
+    /// before anything is rendered. Null: no bound.
+    bound: Option<f64>,
+    /// The same against a max_depth without end.
+    bound_endless: Option<f64>,
+}
+
+/// The smallest max_depth for which the scene's picture is as good as at its own, found by
+/// rendering.
+#[derive(Debug, Serialize)]
+struct Depths {
+    /// No bit is another one.
+    same_bits: u32,
+    /// No 8-bit level is off by more than one.
+    within_a_level: u32,
+}
+
+/// How far rays are followed to see where they end by themselves.
+const FAR: u32 = 256;
+
+/// What `render` allows for the picture unless it is told otherwise.
+const MEMORY: Size = Size(2 << 30);
+
+impl Account {
+    /// Renders the picture about 2 log2 of its deepest ray times, on rayon's current threads.
+    ///
+    /// # Errors
+    /// Exit code 3 for a picture larger than memory is allowed to be, 1 for a path deeper than
+    /// the engine's stacks.
+    pub(super) fn new(name: &str, scene: &Scene, isa: Isa) -> Result<Self, Failure> {
+        let (width, height) = (scene.image.width, scene.image.height);
+        check_memory(width, height)?;
+        let failed = |deep: TooDeep| {
+            let render = scene.render;
+            Failure::failed(format_args!(
+                "{deep} of the engine, with max_depth {} and min_weight {}: lower the one or raise the other in the scene",
+                render.max_depth, render.min_weight
+            ))
+        };
+        let found = enough(scene, isa).map_err(failed)?;
+        let Enough { same_bits, within_a_level, deepest_ray, counts } = found;
+        let end = end(scene, isa, deepest_ray).map_err(failed)?;
+        let compiled = Compiled::new(scene);
+        let plan = plan::Told::new(&compiled, &Grid::new(&View::whole(scene)));
+        let has = Has::new(scene, &compiled);
+        let needs = Needs::new(scene, &has);
+        let entry = |(depth, count): (usize, &catoptric_scene::DepthCount)| Depth {
+            depth,
+            rays: count.rays,
+            hits: count.hits,
+            shadow: count.shadow,
+        };
+        Ok(Self {
+            schema: "catoptric-explain",
+            version: 1,
+            scene: name.to_owned(),
+            width,
+            height,
+            transfer: match scene.image.transfer {
+                Transfer::Linear => "linear",
+                Transfer::Srgb => "srgb",
+            },
+            numerics: numerics(scene),
+            max_depth: scene.render.max_depth,
+            min_weight: scene.render.min_weight,
+            has,
+            needs,
+            plan,
+            rays: Rays {
+                primary: counts.primary(),
+                reflection: counts.reflection(),
+                shadow: counts.shadow(),
+                deepest: deepest_ray,
+                end,
+                depths: counts.depths.iter().enumerate().map(entry).collect(),
+            },
+            caps: caps(scene, deepest_ray),
+            enough: Depths { same_bits, within_a_level },
+        })
+    }
+}
+
+/// `robust` or `textbook`.
+pub(super) fn numerics(scene: &Scene) -> &'static str {
+    match scene.render.numerics {
+        Numerics::Robust => "robust",
+        Numerics::Textbook => "textbook",
+    }
+}
+
+/// Two films are compared with each other.
+fn check_memory(width: u32, height: u32) -> Result<(), Failure> {
+    let need = Size(u64::from(width) * u64::from(height) * 24);
+    if need > MEMORY || !granted(need.0) {
+        return Err(Failure::bad_input(format_args!(
+            "two films of {width}x{height}, which are compared with each other, need {need} of memory, and the limit is {MEMORY}: lower image.width and image.height in the scene"
+        )));
+    }
+    Ok(())
+}
+
+/// Where rays end by themselves, if they do before [`FAR`].
+fn end(scene: &Scene, isa: Isa, deepest: u32) -> Result<Option<u32>, TooDeep> {
+    if deepest < scene.render.max_depth {
+        return Ok(Some(deepest));
+    }
+    let far = Subject { name: String::new(), scene: scene.clone() }.to_depth(FAR.max(deepest));
+    let grid = Grid::new(&View::whole(&far));
+    let mut film = Film::new(grid.width, grid.height);
+    let counts = Tracer::Packet(isa).render(&Compiled::new(&far), &grid, &mut film)?;
+    let deepest = u32::try_from(counts.depths.len().saturating_sub(1)).unwrap_or(u32::MAX);
+    Ok(Some(deepest).filter(|deepest| *deepest < far.render.max_depth))
+}
+
+/// A few caps: 0 to 5, then powers of two, and the deepest ray.
+fn caps(scene: &Scene, deepest: u32) -> Vec<Cap> {
+    let light = LightBounds::new(scene);
+    let bound = |cap, full| Some(light.left_out_by_cap(cap, full)).filter(|b| b.is_finite());
+    let cap = |max_depth| Cap {
+        max_depth,
+        bound: bound(max_depth, scene.render.max_depth),
+        bound_endless: bound(max_depth, u32::MAX),
+    };
+    let powers = (3..32).map(|i| 1 << i);
+    let few = (0..=5).chain(powers).take_while(|depth| *depth < deepest);
+    few.chain([deepest]).map(cap).collect()
+}

@@ -1,0 +1,143 @@
+//! What a scene has, and what of a ray tracer that needs.
+
+use std::collections::BTreeMap;
+
+use catoptric_scene::{Compiled, Numerics, Power, Scene, Shape};
+use serde::Serialize;
+
+/// What it has.
+#[derive(Debug, Serialize)]
+pub(super) struct Has {
+    pub(super) primitives: Primitives,
+    /// By k, the largest first.
+    pub(super) mirrors: Vec<Mirror>,
+    pub(super) highlights: Highlights,
+    pub(super) lamps: Lamps,
+    /// Linear RGB.
+    pub(super) background: [f64; 3],
+    /// Linear RGB.
+    pub(super) ambient: [f64; 3],
+}
+
+/// Primitives, by statement and by form.
+#[derive(Debug, Serialize)]
+pub(super) struct Primitives {
+    /// As stated.
+    pub(super) spheres: usize,
+    /// As stated.
+    pub(super) planes: usize,
+    /// Surfaces that an earlier one is already; never seen, and not compiled.
+    pub(super) stated_twice: usize,
+    /// Spheres computed from centre and radius.
+    pub(super) balls: usize,
+    /// Spheres so large against the scene that they are computed as heights, as planes are.
+    pub(super) large_spheres: usize,
+    /// Spheres around the eye; null with textbook numerics, which do not tell.
+    pub(super) around: Option<usize>,
+}
+
+/// Primitives of one mirror factor.
+#[derive(Debug, Serialize)]
+pub(super) struct Mirror {
+    pub(super) k: f64,
+    pub(super) primitives: usize,
+}
+
+/// Primitives with a highlight, by what its exponent is computed with.
+#[derive(Debug, Serialize)]
+pub(super) struct Highlights {
+    /// Whole exponents up to 1024: by squaring.
+    pub(super) whole: usize,
+    /// Others: by exponential and logarithm.
+    pub(super) fractional: usize,
+}
+
+/// Lamps.
+#[derive(Debug, Serialize)]
+pub(super) struct Lamps {
+    pub(super) stated: usize,
+    /// Behind some primitive for all that can be seen: they light nothing.
+    pub(super) hidden: usize,
+    /// Whose channels differ.
+    pub(super) coloured: usize,
+}
+
+/// What it needs.
+#[derive(Debug, Serialize)]
+pub(super) struct Needs {
+    /// Some lamp can light something.
+    pub(super) shadow_rays: bool,
+    /// Some lamp can make a highlight.
+    pub(super) highlights: bool,
+    /// Some mirror is followed.
+    pub(super) reflection_rays: bool,
+    /// Paths are cut by their weight.
+    pub(super) weight_cut: bool,
+}
+
+impl Has {
+    pub(super) fn new(scene: &Scene, compiled: &Compiled) -> Self {
+        let stated = scene.spheres.len() + scene.planes.len();
+        let shapes = compiled.primitives.iter().map(|primitive| &primitive.shape);
+        let count = |what: fn(&Shape) -> bool| shapes.clone().filter(|shape| what(shape)).count();
+        let robust = scene.render.numerics == Numerics::Robust;
+        let around = count(|shape| match shape {
+            Shape::Ball(ball) => ball.is_around(),
+            Shape::Flat(flat) => flat.is_around(),
+            Shape::TextbookSphere(_) | Shape::TextbookPlane(_) => false,
+        });
+        let powers = compiled.primitives.iter().filter_map(|primitive| {
+            let material = &compiled.materials[primitive.material as usize];
+            (material.specular > 0.0).then_some(material.power)
+        });
+        let whole = powers.clone().filter(|power| matches!(power, Power::Whole { .. })).count();
+        Self {
+            primitives: Primitives {
+                spheres: scene.spheres.len(),
+                planes: scene.planes.len(),
+                stated_twice: stated - compiled.primitives.len(),
+                balls: count(|shape| matches!(shape, Shape::Ball(_) | Shape::TextbookSphere(_))),
+                large_spheres: count(|s| matches!(s, Shape::Flat(flat) if flat.curvature != 0.0)),
+                around: robust.then_some(around),
+            },
+            mirrors: mirrors(scene),
+            highlights: Highlights { whole, fractional: powers.count() - whole },
+            lamps: Lamps {
+                stated: scene.lights.len(),
+                hidden: compiled.lights.iter().filter(|light| light.hidden).count(),
+                coloured: scene.lights.iter().filter(|l| !is_grey(l.intensity)).count(),
+            },
+            background: scene.render.background,
+            ambient: scene.render.ambient,
+        }
+    }
+}
+
+impl Needs {
+    pub(super) fn new(scene: &Scene, has: &Has) -> Self {
+        let lit = has.lamps.stated > has.lamps.hidden;
+        Self {
+            shadow_rays: lit && has.primitives.spheres + has.primitives.planes > 0,
+            highlights: lit && has.highlights.whole + has.highlights.fractional > 0,
+            reflection_rays: !has.mirrors.is_empty() && scene.render.max_depth > 0,
+            weight_cut: scene.render.min_weight > 0.0,
+        }
+    }
+}
+
+fn mirrors(scene: &Scene) -> Vec<Mirror> {
+    let spheres = scene.spheres.iter().map(|sphere| sphere.material.mirror());
+    let planes = scene.planes.iter().map(|plane| plane.material.mirror());
+    let mut counts = BTreeMap::new();
+    for k in spheres.chain(planes).filter(|k| *k > 0.0) {
+        // Bits of positive numbers are in their order.
+        *counts.entry(k.to_bits()).or_insert(0) += 1;
+    }
+    let mirror = |(bits, primitives)| Mirror { k: f64::from_bits(bits), primitives };
+    counts.into_iter().rev().map(mirror).collect()
+}
+
+/// Whether a colour's channels are alike.
+pub(super) fn is_grey([r, g, b]: [f64; 3]) -> bool {
+    r == g && g == b
+}

@@ -1,0 +1,159 @@
+//! One eye ray's whole life, as two rungs of the ladder have it: the recursion, and the engine.
+//!
+//! Both tell it in the ladder's events, which are compared one by one: what is shown is what
+//! both did.
+
+mod json;
+pub(super) mod text;
+
+use catoptric_core::Isa;
+use catoptric_ladder::{DEEPEST, Event, RUNGS, Rung, Watch};
+use catoptric_scene::{Compiled, Crop, Film, Grid, Quantiser, Scene, View};
+use catoptric_study::tracer::Tracer;
+use serde::Serialize;
+
+use super::Pixel;
+use crate::exit::Failure;
+
+/// The life of a pixel's eye ray.
+pub(super) struct Life<'a> {
+    /// As the command line named it; `-` for stdin.
+    pub(super) name: &'a str,
+    pub(super) scene: &'a Scene,
+    pub(super) compiled: Compiled,
+    pub(super) pixel: Pixel,
+    /// Who told the recursion's side: r0, or past the depth of its stack r3, the loop.
+    pub(super) recursion: &'static Rung,
+    /// Who told the engine's side.
+    pub(super) engine: &'static Rung,
+    pub(super) events: Vec<Event>,
+    /// Linear RGB, as the engine renders the pixel.
+    pub(super) colour: [f32; 3],
+    pub(super) quantiser: Quantiser,
+}
+
+impl<'a> Life<'a> {
+    /// Follows the ray on rayon's current threads, which need the recursion's stacks.
+    ///
+    /// # Errors
+    /// Exit code 1 if the path is too deep, or if the recursion and the engine differ.
+    pub(super) fn new(
+        name: &'a str,
+        scene: &'a Scene,
+        pixel: Pixel,
+        isa: Isa,
+    ) -> Result<Self, Failure> {
+        let compiled = Compiled::new(scene);
+        let crop = Crop { x: pixel.x, y: pixel.y, width: 1, height: 1 };
+        let view = View::new(scene, Some(crop), 1).map_err(Failure::wrong_use)?;
+        let grid = Grid::new(&view);
+        let [recursion, .., the_loop, _, engine] = &RUNGS;
+
+        let (recursion, events) = log(recursion, &compiled, &grid)
+            .or_else(|_| log(the_loop, &compiled, &grid))
+            .map_err(|_| too_deep(scene))?;
+        let mut same = Same { expected: events.iter(), differs: false };
+        (engine.watch)(&compiled, &grid, (0, 0), &mut same).map_err(|_| too_deep(scene))?;
+        let mut film = Film::new(1, 1);
+        let rendered = Tracer::Packet(isa).render(&compiled, &grid, &mut film);
+        rendered.map_err(|_| too_deep(scene))?;
+
+        let colour = film.pixels()[0];
+        let Some(Event::Return { colour: returned, .. }) = events.last() else {
+            unreachable!("the last thing that a ray does is to return")
+        };
+        let same_bits = |(a, b): (&f32, &f32)| a.to_bits() == b.to_bits() || a.is_nan();
+        let same_colour = colour.iter().zip(&returned.to_array()).all(same_bits);
+        if same.differs || same.expected.next().is_some() || !same_colour {
+            let Pixel { x, y } = pixel;
+            return Err(Failure::failed(format_args!(
+                "the engine's account of pixel {x},{y} is not the recursion's: this is a fault of the program, please report it with the scene"
+            )));
+        }
+        let quantiser = Quantiser::new(scene.image.transfer);
+        Ok(Self { name, scene, compiled, pixel, recursion, engine, events, colour, quantiser })
+    }
+
+    /// How many.
+    pub(super) fn steps(&self) -> usize {
+        self.events.len()
+    }
+
+    /// Reflections behind the deepest ray.
+    pub(super) fn deepest(&self) -> u32 {
+        self.events.iter().map(Event::depth).max().unwrap_or(0)
+    }
+
+    /// Where the scene states a primitive: `spheres[2]`, as its error messages have it.
+    pub(super) fn stated(&self, primitive: usize) -> String {
+        let stated = self.compiled.primitives[primitive].stated as usize;
+        let spheres = self.scene.spheres.len();
+        match stated.checked_sub(spheres) {
+            None => format!("spheres[{stated}]"),
+            Some(plane) => format!("planes[{plane}]"),
+        }
+    }
+
+    /// Its levels in an 8-bit picture.
+    pub(super) fn levels(&self, colour: [f32; 3]) -> [u8; 3] {
+        colour.map(|channel| self.quantiser.level(channel))
+    }
+
+    /// Whether an event is the return of a ray that met nothing.
+    pub(super) fn misses(&self, index: usize) -> bool {
+        let before = index.checked_sub(1).map(|before| &self.events[before]);
+        matches!(before, Some(Event::Call { .. }))
+    }
+
+    /// What an event is to the two.
+    pub(super) fn roles(&self, index: usize) -> Roles {
+        let (recursion, engine) = match self.events[index] {
+            Event::Call { .. } => ("call", Some("ray")),
+            Event::Hit { followed: true, .. } => ("hit", Some("push")),
+            Event::Hit { followed: false, .. } => ("hit", Some("end")),
+            Event::Fold { .. } => ("fold", Some("fold")),
+            Event::Return { .. } if self.misses(index) => ("return", Some("end")),
+            Event::Return { .. } => ("return", None),
+        };
+        Roles { recursion, engine }
+    }
+}
+
+/// One event, in a word each.
+#[derive(Serialize)]
+pub(super) struct Roles {
+    /// `call`, `hit`, `fold` or `return`.
+    pub(super) recursion: &'static str,
+    /// `ray`: in flight; `push`: a level is put on the stack; `end`: nothing is owed; `fold`: the
+    /// level is taken off and paid. Null: nothing happens, what the recursion returns is at hand.
+    pub(super) engine: Option<&'static str>,
+}
+
+fn log<'r>(
+    rung: &'r Rung,
+    scene: &Compiled,
+    grid: &Grid,
+) -> Result<(&'r Rung, Vec<Event>), catoptric_ladder::Error> {
+    let mut events = Vec::new();
+    (rung.watch)(scene, grid, (0, 0), &mut events)?;
+    Ok((rung, events))
+}
+
+fn too_deep(scene: &Scene) -> Failure {
+    Failure::failed(format_args!(
+        "the path has more than {DEEPEST} reflections, which are too many to write down: lower max_depth, which is {}, or raise min_weight in the scene",
+        scene.render.max_depth
+    ))
+}
+
+/// Compares a log with another one as it is told.
+struct Same<'a> {
+    expected: std::slice::Iter<'a, Event>,
+    differs: bool,
+}
+
+impl Watch for Same<'_> {
+    fn see(&mut self, event: Event) {
+        self.differs |= self.expected.next() != Some(&event);
+    }
+}

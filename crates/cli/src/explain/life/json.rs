@@ -1,0 +1,102 @@
+//! A ray's life as one JSON document.
+
+use catoptric_ladder::Event;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
+
+use super::{Life, Roles};
+use crate::explain::account::numerics;
+
+/// Points are relative to the eye; colours are linear RGB; what is
+/// infinite or NaN is null.
+impl Serialize for Life<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let mut map = to.serialize_struct("life", 15)?;
+        map.serialize_field("schema", "catoptric-explain-pixel")?;
+        map.serialize_field("version", &1)?;
+        map.serialize_field("scene", self.name)?;
+        map.serialize_field("width", &self.scene.image.width)?;
+        map.serialize_field("height", &self.scene.image.height)?;
+        map.serialize_field("x", &self.pixel.x)?;
+        map.serialize_field("y", &self.pixel.y)?;
+        map.serialize_field("numerics", numerics(self.scene))?;
+        map.serialize_field("max_depth", &self.scene.render.max_depth)?;
+        map.serialize_field("eye", &self.scene.camera.position)?;
+        map.serialize_field("rungs", &[self.recursion.name, self.engine.name])?;
+        map.serialize_field("deepest", &self.deepest())?;
+        map.serialize_field("colour", &self.colour)?;
+        map.serialize_field("levels", &self.levels(self.colour))?;
+        map.serialize_field("steps", &Steps(self))?;
+        map.end()
+    }
+}
+
+struct Steps<'a>(&'a Life<'a>);
+
+impl Serialize for Steps<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let life = self.0;
+        to.collect_seq(life.events.iter().enumerate().map(|(index, event)| Step {
+            step: index + 1,
+            depth: event.depth(),
+            roles: life.roles(index),
+            numbers: Numbers::of(life, event),
+        }))
+    }
+}
+
+#[derive(Serialize)]
+struct Step {
+    step: usize,
+    depth: u32,
+    #[serde(flatten)]
+    roles: Roles,
+    #[serde(flatten)]
+    numbers: Numbers,
+}
+
+/// The same for both.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Numbers {
+    Call {
+        origin: [f32; 3],
+        direction: [f32; 3],
+        weight: f32,
+    },
+    Hit {
+        /// Where the scene states it.
+        primitive: String,
+        distance: f32,
+        local: [f32; 3],
+        k: f32,
+        followed: bool,
+    },
+    Fold {
+        local: [f32; 3],
+        k: f32,
+        back: [f32; 3],
+        colour: [f32; 3],
+    },
+    Return {
+        colour: [f32; 3],
+    },
+}
+
+impl Numbers {
+    fn of(life: &Life, event: &Event) -> Self {
+        match *event {
+            Event::Call { origin, direction, weight, .. } => {
+                Self::Call { origin: origin.into(), direction: direction.into(), weight }
+            }
+            Event::Hit { primitive, distance, local, k, followed, .. } => {
+                let (primitive, local) = (life.stated(primitive), local.into());
+                Self::Hit { primitive, distance, local, k, followed }
+            }
+            Event::Fold { local, k, back, colour, .. } => {
+                Self::Fold { local: local.into(), k, back: back.into(), colour: colour.into() }
+            }
+            Event::Return { colour, .. } => Self::Return { colour: colour.into() },
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! What this machine offers: instruction sets and threads.
+
+use std::env;
+use std::thread;
+
+use catoptric_core::Isa;
+
+use crate::exit::Failure;
+
+/// The instruction set that `CATOPTRIC_ISA` asks for, lowered to what the processor has.
+/// Empty is as good as not set.
+///
+/// # Errors
+/// Exit code 2 for an unknown name.
+pub(crate) fn instruction_set() -> Result<Isa, Failure> {
+    let best = Isa::detected();
+    let asked = env::var_os("CATOPTRIC_ISA").unwrap_or_default();
+    if asked.is_empty() {
+        return Ok(best);
+    }
+    match asked.to_str().and_then(Isa::named) {
+        Some(isa) => Ok(isa.min(best)),
+        None => {
+            let known = Isa::ALL.map(Isa::name).join(" and ");
+            let asked = asked.display();
+            Err(Failure::wrong_use(format_args!(
+                "CATOPTRIC_ISA is {asked:?}: allowed are {known}; unset it for the best of this processor"
+            )))
+        }
+    }
+}
+
+/// As many as the system can run at once, as far as it says so.
+pub(crate) fn available_threads() -> usize {
+    thread::available_parallelism().map_or(1, usize::from).min(1024)
+}
