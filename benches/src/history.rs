@@ -4,10 +4,8 @@
 //! is worse than the noise.
 
 pub mod commit;
-pub mod date;
 pub mod entry;
 pub mod measure;
-pub mod processor;
 pub mod rule;
 pub mod spread;
 pub mod table;

@@ -8,12 +8,14 @@
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::SystemTime;
 
+use catoptric_benches::history::entry::plain;
 use catoptric_benches::history::measure::{self, Occasion, THREADS};
 use catoptric_benches::history::rule::{self, Verdict};
-use catoptric_benches::history::{commit, date, processor, table};
+use catoptric_benches::history::{commit, table};
 use catoptric_core::Isa;
+use catoptric_study::occasion;
 use catoptric_tests::scenes::root;
 
 const USAGE: &str = "usage: history record [FILE] | history check [FILE]";
@@ -46,11 +48,10 @@ fn record(path: &Path) -> Result<ExitCode, String> {
     }
     // A file that cannot be added to is found before the measuring, not after.
     table::read(path).map_err(|error| error.to_string())?;
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).map_err(|error| error.to_string())?;
     let occasion = Occasion {
-        date: date::iso8601(now.as_secs()),
+        date: occasion::iso8601(SystemTime::now()),
         commit: commit::of(&root()),
-        processor: processor::model(),
+        processor: plain(&occasion::processor()),
         isa: Isa::detected(),
     };
     let mut entries = Vec::new();
