@@ -94,15 +94,12 @@ pub fn eclipse(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value =
             let center = [0.0, 0.0, -6.0 * radius];
             let mut lamp = along(center, way, radius * (1.0 + far));
             draft.spheres.push(Sphere { center, radius, material });
-            // Across the way, off the axis by what the cone from the lamp is wide there.
-            let dot: f64 = (0..3).map(|i| way[i] * aside[i]).sum();
-            let across: [f64; 3] = std::array::from_fn(|i| aside[i] - dot * way[i]);
-            let length = distance(across, [0.0; 3]);
-            if length > 1e-3 {
+            // Off the axis by what the cone from the lamp is wide there.
+            if let Some(across) = across(way, aside) {
                 let reach = radius * (1.0 + far);
                 let wide = radius * (1.0 - share).abs() + other;
                 let at = along(center, way, share * reach);
-                let center = along(at, across.map(|x| x / length), wide * (1.0 + off));
+                let center = along(at, across, wide * (1.0 + off));
                 draft.spheres.push(Sphere { center, radius: other, material });
             }
             if let Some((ground, low)) = ground {
@@ -115,6 +112,39 @@ pub fn eclipse(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value =
                 }
             }
             draft.lights.push(Light { position: lamp, intensity: [1.0; 3] });
+            Scene::new(draft).expect("generated scenes are valid")
+        },
+    )
+}
+
+/// One place and a lamp, and a ball whose rim the way between them grazes. Eight more balls stand
+/// out of the way: that many make the engine ask which of them can hide the lamp, and for one
+/// place alone its bounds are as tight as their margin.
+pub fn graze() -> impl Strategy<Value = Scene> {
+    let off = (-7.0..-1.0f64, any::<bool>())
+        .prop_map(|(e, outside)| if outside { 10f64.powf(e) } else { -10f64.powf(e) });
+    let scales = ((-1.0..1.0f64), (-2.0..1.0f64)).prop_map(|(a, b)| (10f64.powf(a), 10f64.powf(b)));
+    (scales, direction(), direction(), 1.0..50.0f64, 0.02..0.98f64, off).prop_map(
+        |((radius, other), way, aside, far, share, off)| {
+            let mut draft = Draft::default();
+            (draft.image.width, draft.image.height) = (1, 1);
+            let material = Material::matt([0.8; 3]);
+            let ball = |center, radius| Sphere { center, radius, material };
+            draft.spheres.push(ball([0.0, 0.0, -6.0 * radius], radius));
+            let place = [0.0, 0.0, -5.0 * radius];
+            // Towards the eye's side, which is the lit one.
+            let way = [way[0], way[1], way[2].abs()];
+            draft
+                .lights
+                .push(Light { position: along(place, way, far * radius), intensity: [1.0; 3] });
+            let foot = along(place, way, share * far * radius);
+            if let Some(across) = across(way, aside) {
+                draft.spheres.push(ball(along(foot, across, other * (1.0 + off)), other));
+            }
+            for i in 0..8 {
+                let center = [f64::from(i) * radius, 0.0, -100.0 * radius];
+                draft.spheres.push(ball(center, 0.1 * radius));
+            }
             Scene::new(draft).expect("generated scenes are valid")
         },
     )
@@ -196,6 +226,14 @@ fn place_sphere(
 
 fn along(from: [f64; 3], way: [f64; 3], length: f64) -> [f64; 3] {
     std::array::from_fn(|i| from[i] + way[i] * length)
+}
+
+/// The part of `aside` that is at right angles to the unit vector `way`, as a unit vector.
+fn across(way: [f64; 3], aside: [f64; 3]) -> Option<[f64; 3]> {
+    let dot: f64 = (0..3).map(|i| way[i] * aside[i]).sum();
+    let across: [f64; 3] = std::array::from_fn(|i| aside[i] - dot * way[i]);
+    let length = distance(across, [0.0; 3]);
+    (length > 1e-3).then(|| across.map(|x| x / length))
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {

@@ -150,6 +150,11 @@ proptest! {
         same(&scene, 1)?;
     }
 
+    #[test]
+    fn generated_grazes(scene in generate::graze()) {
+        same(&scene, 1)?;
+    }
+
     /// Several tiles wide, so that bounds on what a tile sees have edges to get wrong.
     #[test]
     fn generated_panoramas(scene in generate::scene(12, (120u32..=260, 1u32..=24))) {

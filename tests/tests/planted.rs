@@ -125,7 +125,7 @@ const FAULTS: &[Fault] = &[
         name: "a ball left out of a shadow that its rim grazes",
         file: "occluders.rs",
         line: "v.dot(v).gt(limit)",
-        instead: "v.dot(v).gt(limit * L::constant(0.998))",
+        instead: "v.dot(v).gt(limit * L::constant(0.9999))",
     },
     Fault {
         name: "a horizon left out of the shadow that it casts",
