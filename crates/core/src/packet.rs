@@ -143,6 +143,10 @@ pub(crate) fn trace<L: Lanes>(
         if stack.depth() == 0 {
             return Ok(());
         }
+        // The next packet's path may be long, and the picture already lost.
+        if stack.is_refused() {
+            return Err(TooDeep);
+        }
         packets = held..held + 1;
     }
 }

@@ -1,7 +1,5 @@
 //! Rendering a view: bands of tiles on rayon's threads.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use catoptric_scene::{Compiled, Counts, Film, Grid, Quantiser, Scalar};
 use rayon::prelude::*;
 
@@ -80,7 +78,7 @@ packet_scalar!(f64);
 /// `progress` is told after every few rows how many pixels were added. Memory: the film, and
 /// half a megabyte a thread (f64: one). Where paths go deep, a thread's stack takes 20 bytes
 /// (f64: 36) a ray of a tile and level down to level 1024, 10 MB at most, and from there on 192
-/// (f64: 320) a level; rounded up to a power of two levels.
+/// (f64: 320) a level; and up to a quarter more, for it grows by that much.
 ///
 /// # Errors
 /// [`StackFull`] if paths go too deep for the limit; the film is then void.
@@ -181,7 +179,6 @@ fn bands<S: Lane, P: Send>(
     let budget = Budget::new(settings.stack_limit);
     let sights = Sights::new(scene);
     let occluders = Occluders::new(scene);
-    let full = AtomicBool::new(false);
     let band = || Band {
         scene,
         plan,
@@ -198,12 +195,9 @@ fn bands<S: Lane, P: Send>(
         .par_chunks_mut(grid.width as usize * tile::HEIGHT)
         .zip(grid.rows.par_chunks(grid.samples as usize * tile::HEIGHT))
         .map_init(band, |band, (pixels, rows)| {
-            if full.load(Ordering::Relaxed) {
-                return Counts::default();
-            }
             band.rows = rows;
-            if render(band, pixels).is_err() {
-                full.store(true, Ordering::Relaxed);
+            if budget.is_refused() || render(band, pixels).is_err() {
+                return Counts::default();
             }
             progress(pixels.len() as u64);
             band.stack.take_counts()
@@ -212,7 +206,7 @@ fn bands<S: Lane, P: Send>(
             sum.add(&band);
             sum
         });
-    if full.into_inner() { Err(StackFull { limit: settings.stack_limit }) } else { Ok(counts) }
+    if budget.is_refused() { Err(StackFull { limit: settings.stack_limit }) } else { Ok(counts) }
 }
 
 /// Tiles side by side, what one thread takes at a time; and what it keeps from band to band.

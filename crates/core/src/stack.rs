@@ -5,7 +5,7 @@
 //! what it needs when a colour comes back: the colour so far, and what the level above takes of
 //! it, k, for which ray. That is 20 bytes a ray and level in f32.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use catoptric_scene::{Counts, DepthCount};
 
@@ -64,11 +64,19 @@ struct Level {
 pub(crate) struct Budget {
     pub(crate) limit: usize,
     taken: AtomicUsize,
+    /// Some stack was refused what it asked for: the picture will not be whole.
+    refused: AtomicBool,
 }
 
 impl Budget {
     pub(crate) fn new(limit: usize) -> Self {
-        Self { limit, taken: AtomicUsize::new(0) }
+        Self { limit, taken: AtomicUsize::new(0), refused: AtomicBool::new(false) }
+    }
+
+    /// Whether some stack could not grow: the rendering ends, in every thread.
+    #[inline(always)]
+    pub(crate) fn is_refused(&self) -> bool {
+        self.refused.load(Ordering::Relaxed)
     }
 
     /// Takes bytes if the limit allows it.
@@ -98,6 +106,12 @@ impl<'a, S: Lane> Stack<'a, S> {
         }
     }
 
+    /// Whether some thread's stack was refused more, so that nothing further is of use.
+    #[inline(always)]
+    pub(crate) fn is_refused(&self) -> bool {
+        self.budget.is_refused()
+    }
+
     /// Makes room for a level of at most so many packets below the one in flight; false if the
     /// limit forbids it.
     #[inline(always)]
@@ -106,26 +120,30 @@ impl<'a, S: Lane> Stack<'a, S> {
             || self.grow(packets)
     }
 
-    /// Doubles what is full. Out of line: it holds no lanes.
+    /// Adds a quarter to what is full, unless this stack or another was refused more. Out of
+    /// line: it holds no lanes.
     #[cold]
     #[inline(never)]
     fn grow(&mut self, packets: usize) -> bool {
         let full = self.len + packets > self.packets.len();
-        let more_packets = if full { self.packets.len() } else { 0 };
+        let more_packets = if full { self.packets.len() / 4 } else { 0 };
         let full = self.depth + 1 >= self.levels.len();
-        let more_levels = if full { self.levels.len() } else { 0 };
+        let more_levels = if full { self.levels.len() / 4 } else { 0 };
         let bytes = more_packets * size_of::<Pending<S>>() + more_levels * size_of::<Level>();
-        if !self.budget.take(bytes) {
-            return false;
+        let granted = !self.budget.is_refused() && self.budget.take(bytes);
+        if granted {
+            self.granted += bytes;
         }
-        self.granted += bytes;
-        let reserved = self.packets.try_reserve_exact(more_packets).is_ok()
+        let grown = granted
+            && self.packets.try_reserve_exact(more_packets).is_ok()
             && self.levels.try_reserve_exact(more_levels).is_ok();
-        if reserved {
+        if grown {
             self.packets.resize(self.packets.len() + more_packets, Pending::EMPTY);
             self.levels.resize(self.levels.len() + more_levels, Level::default());
+        } else {
+            self.budget.refused.store(true, Ordering::Relaxed);
         }
-        reserved
+        grown
     }
 
     /// Puts a level of so many eye rays' packets in place of all there is.
