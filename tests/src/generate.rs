@@ -71,6 +71,43 @@ pub fn rim(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = Sce
     )
 }
 
+/// A ball whose rim passes the corner of a tile of the engine's, 32 pixels wide and 16 high, by
+/// next to nothing: where bounds on what a tile shows are as tight as their margin.
+pub fn corner() -> impl Strategy<Value = Scene> {
+    let off = prop_oneof![
+        1 => Just(0.0),
+        4 => (-8.0..-2.0f64, any::<bool>())
+            .prop_map(|(e, outside)| if outside { 10f64.powf(e) } else { -10f64.powf(e) }),
+    ];
+    let field_of_view = (-1.0..2.1f64).prop_map(|e: f64| 10f64.powf(e));
+    // The first or the last pixel of a tile's row or column.
+    let edge = |tile: u32| prop_oneof![Just(tile - 1), Just(tile)];
+    let radius = (-3.0..0.0f64).prop_map(|e: f64| 10f64.powf(e));
+    (field_of_view, edge(32), edge(16), radius, direction(), off).prop_map(
+        |(fov, x, y, radius, aside, off)| {
+            let mut draft = Draft::default();
+            let (width, height) = (64, 32);
+            (draft.image.width, draft.image.height) = (width, height);
+            draft.camera.fov = fov;
+            let h = (fov / 2.0).to_radians().tan();
+            let place = |i: u32, n: u32| 2.0 * (f64::from(i) + 0.5) / f64::from(n) - 1.0;
+            let aspect = f64::from(width) / f64::from(height);
+            let ray = [place(x, width) * h * aspect, -place(y, height) * h, -1.0];
+            let ray = ray.map(|v| v / distance(ray, [0.0; 3]));
+            // The centre is off the ray by the angle under which the ball is seen.
+            if let Some(across) = across(ray, aside) {
+                let (sin, cos) = (radius.asin() * (1.0 + off)).sin_cos();
+                let center = along(ray.map(|v| 50.0 * cos * v), across, 50.0 * sin);
+                let material = Material::matt([1.0; 3]);
+                draft.spheres.push(Sphere { center, radius: 50.0 * radius, material });
+                // Something at another distance, so that the ball is not taken for flat.
+                draft.spheres.push(Sphere { center: [0.0, 0.0, 900.0], radius: 1.0, material });
+            }
+            Scene::new(draft).expect("generated scenes are valid")
+        },
+    )
+}
+
 /// A ball before a lamp, and another one at the rim of the shadow's way to it, the two on a
 /// sphere so large that it curves the horizon: where bounds on what hides a lamp are tight.
 pub fn eclipse(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = Scene> {

@@ -146,6 +146,11 @@ proptest! {
     }
 
     #[test]
+    fn generated_corners(scene in generate::corner()) {
+        same(&scene, 1)?;
+    }
+
+    #[test]
     fn generated_eclipses(scene in generate::eclipse((1u32..=70, 1u32..=40))) {
         same(&scene, 1)?;
     }

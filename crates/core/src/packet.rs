@@ -30,7 +30,7 @@
 
 use std::ops::Range;
 
-use catoptric_scene::{Compiled, Scalar};
+use catoptric_scene::{Compiled, PointLight, Scalar};
 
 use crate::hits::Hits;
 use crate::lanes::{LANES, Lane, Lanes, Mask};
@@ -79,6 +79,8 @@ pub(crate) struct World<'a, S: Scalar> {
     pub(crate) scene: &'a Compiled<S>,
     pub(crate) candidates: Candidates<'a>,
     pub(crate) occluders: &'a Occluders<S>,
+    /// The scene's lamps, but hidden: what they are to a primitive that sends back no lamp's light.
+    pub(crate) hidden: &'a [PointLight<S>],
     /// Reflections followed.
     pub(crate) depth: u32,
     pub(crate) omit: Omit,
@@ -89,6 +91,7 @@ pub(crate) struct World<'a, S: Scalar> {
 pub(crate) struct Omit {
     pub(crate) occluders: bool,
     pub(crate) directions: bool,
+    pub(crate) shadows: bool,
 }
 
 /// What a thread keeps from tile to tile.

@@ -3,7 +3,7 @@
 //! An omission is one row of [`Omission::ALL`]; its condition and its proof stand with its
 //! variant. `benches/README.md` says what each saves, and what was tried and not kept.
 
-use catoptric_scene::{Compiled, Grid, Numerics, Power, Scalar, Shape};
+use catoptric_scene::{Compiled, Grid, Numerics, Phong, Power, Scalar, Shape};
 use glam::DVec3;
 
 use crate::PacketScalar;
@@ -30,13 +30,18 @@ pub enum Omission {
     /// Without a highlight and without a mirror to follow, no mirrored direction is formed, and
     /// without a highlight no power.
     ///
-    /// The recursion adds 0 · power, which is +0, and no light is -0.
+    /// The recursion adds 0 · power, which is 0, and no light is -0.
     Directions,
+    /// On a primitive that no lamp's light comes back from, kd·colour and ks being 0, shadow rays
+    /// are counted and not traced.
+    ///
+    /// The recursion adds I · (0 · n·l + 0 · power), which is 0: n·l, power and I are finite.
+    Shadows,
 }
 
 impl Omission {
     /// Every one.
-    pub const ALL: [Self; 3] = [Self::Tiles, Self::Occluders, Self::Directions];
+    pub const ALL: [Self; 4] = [Self::Tiles, Self::Occluders, Self::Directions, Self::Shadows];
 
     /// A word for tables.
     #[must_use]
@@ -45,6 +50,30 @@ impl Omission {
             Self::Tiles => "tiles",
             Self::Occluders => "occluders",
             Self::Directions => "directions",
+            Self::Shadows => "shadows",
+        }
+    }
+
+    /// What is not done, in a sentence.
+    #[must_use]
+    pub fn what(self) -> &'static str {
+        match self {
+            Self::Tiles => "eye rays do not try what their tile of pixels cannot show",
+            Self::Occluders => "shadow rays do not try what cannot stand in their way",
+            Self::Directions => {
+                "no mirrored direction where neither highlight nor mirror needs one"
+            }
+            Self::Shadows => "no shadow ray where a surface sends back no lamp's light",
+        }
+    }
+
+    /// Why no bit of the picture depends on it.
+    #[must_use]
+    pub fn why(self) -> &'static str {
+        match self {
+            Self::Tiles => "cones around them miss it, with room for all rounding",
+            Self::Occluders => "bounds around the way miss it, with room for all rounding",
+            Self::Directions | Self::Shadows => "what would be added is 0, and no light is -0",
         }
     }
 }
@@ -83,8 +112,9 @@ pub struct Features {
 pub struct Plan {
     /// What the scene and the request use.
     pub features: Features,
-    /// Reflections that can occur: the scene's max_depth, or 0 without a mirror, or 1 with a
-    /// single one that is not around the eye, since no ray meets again what it just left.
+    /// Reflections that can occur, at most the scene's max_depth: none without a mirror, 1 with
+    /// a single one that is not around the eye, since no ray meets again what it just left, and
+    /// no more than the weights of the strongest mirror stay above the cut.
     pub depth: u32,
     /// What is left out.
     pub omitted: Vec<Omission>,
@@ -100,6 +130,7 @@ impl Plan {
             Omission::Tiles => robust,
             Omission::Occluders => robust && features.lamps > 0,
             Omission::Directions => scene.materials.iter().any(|m| m.specular <= S::ZERO),
+            Omission::Shadows => features.lamps > 0 && scene.materials.iter().any(is_unlit),
         };
         let omitted = Omission::ALL.into_iter().filter(applies).collect();
         Self { features, depth: depth(scene), omitted }
@@ -162,10 +193,17 @@ impl Features {
     }
 }
 
+/// Whether no lamp's light comes back from a material.
+#[inline(always)]
+pub(crate) fn is_unlit<S: Scalar>(material: &Phong<S>) -> bool {
+    let [r, g, b] = material.diffuse.into();
+    material.specular == S::ZERO && r == S::ZERO && g == S::ZERO && b == S::ZERO
+}
+
 /// Reflections that can occur.
 fn depth<S: Scalar>(scene: &Compiled<S>) -> u32 {
-    let is_mirror = |material: u32| scene.materials[material as usize].mirror > S::ZERO;
-    let mut mirrors = scene.primitives.iter().filter(|p| is_mirror(p.material));
+    let mirror = |material: u32| scene.materials[material as usize].mirror;
+    let mut mirrors = scene.primitives.iter().filter(|p| mirror(p.material) > S::ZERO);
     let most = match (mirrors.next(), mirrors.next()) {
         (None, _) => 0,
         (Some(only), None) => match &only.shape {
@@ -175,7 +213,27 @@ fn depth<S: Scalar>(scene: &Compiled<S>) -> u32 {
         },
         _ => u32::MAX,
     };
-    scene.max_depth.min(most)
+    let most = if most < scene.max_depth { most } else { scene.max_depth };
+    let larger = |a, b| if a > b { a } else { b };
+    let strongest = scene.primitives.iter().map(|p| mirror(p.material)).fold(S::ZERO, larger);
+    depth_of_cut(strongest, scene.min_weight, most)
+}
+
+/// How many reflections by a mirror of factor k keep a weight that is not cut, at most `most`.
+///
+/// Rounding is monotone: no path's weight, formed by the same products with factors of at most
+/// k, is larger.
+fn depth_of_cut<S: Scalar>(k: S, min_weight: S, most: u32) -> u32 {
+    /// So many products are formed; one that many of do not reach the cut has no end here.
+    const STEPS: u32 = 1 << 16;
+    let mut weight = S::rounded(1.0);
+    for depth in 0..if most < STEPS { most } else { STEPS } {
+        weight = weight * k;
+        if weight < min_weight {
+            return depth;
+        }
+    }
+    most
 }
 
 /// How many of a view's tiles can show how many primitives.

@@ -1,6 +1,6 @@
 //! Rendering a view: bands of tiles on rayon's threads.
 
-use catoptric_scene::{Compiled, Counts, Film, Grid, Quantiser, Scalar};
+use catoptric_scene::{Compiled, Counts, Film, Grid, PointLight, Quantiser, Scalar};
 use rayon::prelude::*;
 
 use crate::Isa;
@@ -179,6 +179,7 @@ fn bands<S: Lane, P: Send>(
     let budget = Budget::new(settings.stack_limit);
     let sights = Sights::new(scene);
     let occluders = Occluders::new(scene);
+    let hidden: Vec<_> = scene.lights.iter().map(|l| PointLight { hidden: true, ..*l }).collect();
     let band = || Band {
         scene,
         plan,
@@ -187,6 +188,7 @@ fn bands<S: Lane, P: Send>(
         sights: &sights,
         rows: &[],
         occluders: &occluders,
+        hidden: &hidden,
         work: Work::new(scene, occluders.len()),
         stack: Stack::new(&budget),
         eye: Vec::new(),
@@ -217,6 +219,7 @@ struct Band<'a, S: Lane> {
     isa: Isa,
     sights: &'a Sights,
     occluders: &'a Occluders<S>,
+    hidden: &'a [PointLight<S>],
     work: Work<S>,
     /// Vertical positions of the band's sub-rows.
     rows: &'a [S],
@@ -256,10 +259,12 @@ impl<S: Lane> Band<'_, S> {
                 scene: self.scene,
                 candidates: Candidates { eye, mirrors: self.sights.all() },
                 occluders: self.occluders,
+                hidden: self.hidden,
                 depth: self.plan.depth,
                 omit: Omit {
                     occluders: self.plan.omits(Omission::Occluders),
                     directions: self.plan.omits(Omission::Directions),
+                    shadows: self.plan.omits(Omission::Shadows),
                 },
             },
             samples,

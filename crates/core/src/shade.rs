@@ -1,12 +1,13 @@
 //! Local light, and the mirrored rays that go on, for all rays of a level that met one primitive.
 
-use catoptric_scene::{Numerics, Phong, Scalar, Shape};
+use catoptric_scene::{Numerics, Phong, PointLight, Scalar, Shape};
 use glam::DVec3;
 
 use crate::hits::Hits;
 use crate::lanes::{LANES, Lane, Lanes, Mask};
 use crate::nearest::Nearest;
 use crate::packet::{NONE, Rays, World};
+use crate::plan::is_unlit;
 use crate::power::power;
 use crate::sight::in_f64;
 use crate::stack::Pending;
@@ -36,6 +37,14 @@ pub(crate) struct Shading<S> {
     /// Of all lamps, one after another, and where each lamp's end.
     occluders: Vec<u32>,
     ends: Vec<usize>,
+}
+
+/// The lamps, and for each what can stand before it: a part of the list, up to its end.
+#[derive(Clone, Copy)]
+struct Lamps<'a, S: Scalar> {
+    lights: &'a [PointLight<S>],
+    occluders: &'a [u32],
+    ends: &'a [usize],
 }
 
 /// Where eight rays met a primitive.
@@ -88,7 +97,9 @@ pub(crate) fn shade<L: Lanes>(
     let (center, radius) =
         if few || !world.omit.occluders { (DVec3::ZERO, f64::INFINITY) } else { surfaces.bounds() };
     let mut end = 0;
-    for (lamp, lamp_end) in scene.lights.iter().zip(&mut *ends) {
+    let unlit = world.omit.shadows && is_unlit(material);
+    let lights = if unlit { world.hidden } else { &scene.lights };
+    for (lamp, lamp_end) in lights.iter().zip(&mut *ends) {
         if !lamp.hidden {
             let lamp = in_f64::<L::Scalar>(lamp.position);
             let list = &mut occluders[end..];
@@ -97,6 +108,7 @@ pub(crate) fn shade<L: Lanes>(
         *lamp_end = end;
     }
 
+    let lamps = Lamps { lights, occluders, ends };
     let mut shadow = 0;
     for at in surfaces.all() {
         let (point, normal) = (Vec3::from_arrays(&at.point), Vec3::from_arrays(&at.normal));
@@ -110,7 +122,7 @@ pub(crate) fn shade<L: Lanes>(
             Origin::Packet(_) => Mask::every(),
             Origin::Single(_, live) => Mask::first(live),
         };
-        let colour = local::<L>(world, material, &place, occluders, ends, lanes, &mut shadow);
+        let colour = local::<L>(world, material, &place, lamps, lanes, &mut shadow);
         put(level.pending, &at.rays, colour);
         if followed {
             go_on(world, index, material.mirror, &place, lanes, &at.rays, level);
@@ -128,15 +140,14 @@ fn local<L: Lanes>(
     world: World<L::Scalar>,
     material: &Phong<L::Scalar>,
     at: &Place<L>,
-    occluders: &[u32],
-    ends: &[usize],
+    lamps: Lamps<L::Scalar>,
     lanes: Mask<L>,
     shadow: &mut u64,
 ) -> Vec3<L> {
     let mut colour = Vec3::splat(material.ambient);
     let mut start = 0;
-    for (lamp, &end) in world.scene.lights.iter().zip(ends) {
-        let occluders = &occluders[start..end];
+    for (lamp, &end) in lamps.lights.iter().zip(lamps.ends) {
+        let occluders = &lamps.occluders[start..end];
         start = end;
         let to_lamp = Vec3::splat(lamp.position) - at.point;
         let distance = to_lamp.length();

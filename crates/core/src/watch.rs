@@ -67,8 +67,9 @@ pub fn watch(
         scene,
         candidates: Candidates { eye: sights.all(), mirrors: sights.all() },
         occluders: &occluders,
+        hidden: &[],
         depth: scene.max_depth,
-        omit: Omit { occluders: false, directions: false },
+        omit: Omit { occluders: false, directions: false, shadows: false },
     };
     let (mut work, mut stack) = (Work::new(scene, occluders.len()), Stack::new(&budget));
     let (work, stack) = (&mut work, &mut stack);

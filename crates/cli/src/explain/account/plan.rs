@@ -44,19 +44,5 @@ impl Told {
 }
 
 fn told(omission: Omission) -> Omitted {
-    let (what, why) = match omission {
-        Omission::Tiles => (
-            "eye rays do not try what their tile of pixels cannot show",
-            "cones around them miss it, with room for all rounding",
-        ),
-        Omission::Occluders => (
-            "shadow rays do not try what cannot stand in their way",
-            "bounds around the way miss it, with room for rounding",
-        ),
-        Omission::Directions => (
-            "no mirrored direction where neither highlight nor mirror needs one",
-            "what would be added is 0, and no light is -0",
-        ),
-    };
-    Omitted { name: omission.name(), what, why }
+    Omitted { name: omission.name(), what: omission.what(), why: omission.why() }
 }
