@@ -89,7 +89,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         },
         rays: Rays::of(&counts),
         depths: stats::depths(&counts),
-        plan: plan.as_ref().map(stats::Planned::of),
+        plan: plan.as_ref().map(|plan| stats::Planned::of(plan, film)),
     };
     let reported = report.map(|report| {
         report.stage(|to| {

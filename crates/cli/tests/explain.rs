@@ -54,6 +54,15 @@ fn a_scene_is_counted() {
     // The plane has no highlight.
     assert_eq!(names, ["tiles", "occluders", "directions"]);
     assert_eq!(plan["depth"], 4);
+    assert!(
+        plan["omitted"]
+            .as_array()
+            .expect("omissions")
+            .iter()
+            .all(|omitted| { omitted["saves"].as_f64().is_some_and(|share| share < 1.0) })
+    );
+    let occluders = plan["occluders"].as_f64().expect("a number");
+    assert!(occluders > 0.0 && occluders < 3.0, "{occluders}");
     let tried = plan["tried_a_tile"].as_f64().expect("a number");
     assert!(tried > 0.0 && tried <= 3.0, "{tried}");
 
@@ -123,6 +132,60 @@ fn depths_that_cannot_occur_are_told() {
     let told = folder.done("explain textbook.toml --json").json();
     assert!(!told["plan"]["omitted"].to_string().contains("tiles"), "{told}");
     assert!(told["has"]["primitives"]["around"].is_null());
+}
+
+/// A weight that falls below the cut ends paths, and the account says so.
+#[test]
+fn a_cut_by_weight_is_told() {
+    let folder = Folder::new();
+    folder.done("generate kissing --width 24 --height 18 --max-depth 40 -o kissing.toml");
+    let kissing = String::from_utf8(folder.read("kissing.toml")).expect("text");
+    let k = folder.done("explain kissing.toml --json").json()["has"]["mirrors"][0]["k"].as_f64();
+    let k = k.expect("a factor");
+    for reflections in [0, 1, 3] {
+        // Between the weights of so many reflections and of one more.
+        let weight = (0..reflections).fold(1.0, |weight, _| weight * k);
+        let cut = weight * (k + 1.0) / 2.0;
+        let scene = kissing.replace("[render]\n", &format!("[render]\nmin_weight = {cut}\n"));
+        folder.write("cut.toml", &scene);
+        let told = folder.done("explain cut.toml --json").json();
+        let plan = &told["plan"];
+        assert_eq!(
+            (&plan["depth"], &plan["depth_set_by"]),
+            (&reflections.into(), &"min_weight".into())
+        );
+        assert_eq!(told["rays"]["deepest"], reflections);
+        assert_eq!(told["needs"]["reflection_rays"], reflections > 0);
+        assert_eq!(told["caps"].as_array().expect("caps").last().expect("one")["bound"], 0.0);
+        // The cut changes no more than it is said to.
+        let bound = told["weight_cut_bound"].as_f64().expect("a bound");
+        folder.done("render cut.toml -o cut.pfm --quiet");
+        folder.done("render kissing.toml -o whole.pfm --quiet");
+        let error = folder.run("compare cut.pfm whole.pfm --json").json()["max"].as_f64();
+        assert!(error.is_some_and(|error| 0.0 < error && error < bound), "{error:?} {bound}");
+        let text = folder.done("explain cut.toml");
+        assert!(text.text().contains("below min_weight"), "{}", text.text());
+    }
+}
+
+/// A lamp that is off, and mirrors that show no lamp's light, need no shadow rays.
+#[test]
+fn what_no_lamp_lights_needs_no_shadow_rays() {
+    let folder = Folder::new();
+    let dark = "[[lights]]\nposition = [0, 9, 0]\nintensity = 0\n[[spheres]]\ncenter = [0, 0, -9]\n\
+        radius = 1\ncolor = [1, 1, 1]\n";
+    folder.write("off.toml", dark);
+    folder.write(
+        "mirror.toml",
+        dark.replace("intensity = 0", "intensity = 1") + "diffuse = 0\nreflect = 1\n",
+    );
+    folder.write("lit.toml", dark.replace("intensity = 0", "intensity = 1"));
+    for (scene, needed) in [("off.toml", false), ("mirror.toml", false), ("lit.toml", true)] {
+        let told = folder.done(&format!("explain {scene} --json")).json();
+        assert_eq!(told["needs"]["shadow_rays"], needed, "{scene}");
+        let omitted = told["plan"]["omitted"].to_string();
+        assert_eq!(omitted.contains("shadows"), scene == "mirror.toml", "{scene}: {omitted}");
+    }
 }
 
 #[test]

@@ -58,6 +58,14 @@ fn the_keys_are_those_of_the_contract() {
             assert_eq!(stats["plan"]["depth"], 4);
             let omitted = serde_json::json!(["tiles", "occluders", "directions"]);
             assert_eq!(stats["plan"]["omitted"], omitted);
+            assert_eq!(stats["plan"]["film"], false, "a PNG needs none");
+            let features = &stats["plan"]["features"];
+            assert_eq!((&features["balls"], &features["planes"]), (&2.into(), &1.into()));
+            assert_eq!((&features["mirrors"], &features["lamps"]), (&3.into(), &1.into()));
+            assert_eq!(
+                (&features["coloured_lamps"], &features["weight_cut"]),
+                (&true.into(), &false.into())
+            );
         }
     }
 }

@@ -283,8 +283,11 @@ pub(crate) fn occluders_of<S: Lane>(scene: &Compiled<S>, lamp: usize, receiver: 
         return Vec::new();
     }
     let (center, radius) = match &scene.primitives[receiver].shape {
-        // Its points are within rounding of it.
-        Shape::Ball(ball) => (in_f64::<S>(ball.center), ball.radius.to_f64() * (1.0 + 1e-6)),
+        // Its points are within rounding of it, a few u of |c| + r, u = 6e-8 at most.
+        Shape::Ball(ball) => {
+            let (center, radius) = (in_f64::<S>(ball.center), ball.radius.to_f64());
+            (center, radius + 1e-6 * (center.length() + radius))
+        }
         _ => (DVec3::ZERO, f64::INFINITY),
     };
     let occluders = Occluders::new(scene);

@@ -13,6 +13,7 @@
 //! way.rs          ways to trace a picture: renderers and rungs
 //! timing.rs       how long it takes, in turn
 //! formula.rs      which formulas, in which precision
+//! omissions.rs    what each omission of a plan saves
 //! light.rs        how much light a scene can hold
 //! depth.rs        cost against depth
 //!   depth/          its plots, the rays of each depth, where the speed comes from
@@ -30,6 +31,7 @@ pub mod ladder;
 pub mod light;
 pub mod metrics;
 pub mod occasion;
+pub mod omissions;
 pub mod report;
 pub mod stability;
 pub mod subject;

@@ -4,7 +4,7 @@ mod features;
 mod plan;
 pub(super) mod text;
 
-use catoptric_core::Isa;
+use catoptric_core::{Isa, Plan};
 use catoptric_scene::{Compiled, Film, Grid, Numerics, Scene, Transfer, View};
 use catoptric_study::error::{Enough, enough};
 use catoptric_study::light::LightBounds;
@@ -40,6 +40,9 @@ pub(super) struct Account {
     rays: Rays,
     /// Ever larger caps, up to the deepest ray.
     caps: Vec<Cap>,
+    /// What cutting paths at min_weight can change at most, of a channel, linear, in exact
+    /// arithmetic, against cutting none. Null without a cut, and where there is no bound.
+    weight_cut_bound: Option<f64>,
     enough: Depths,
 }
 
@@ -95,7 +98,8 @@ const FAR: u32 = 256;
 const MEMORY: Size = Size(2 << 30);
 
 impl Account {
-    /// Renders the picture about 2 log2 of its deepest ray times, on rayon's current threads.
+    /// Renders the picture about 2 log2 of its deepest ray times, and as often as it takes to
+    /// see what omissions save, on rayon's current threads.
     ///
     /// # Errors
     /// Exit code 3 for a picture larger than memory is allowed to be, 1 for a path deeper than
@@ -114,9 +118,14 @@ impl Account {
         let Enough { same_bits, within_a_level, deepest_ray, counts } = found;
         let end = end(scene, isa, deepest_ray).map_err(failed)?;
         let compiled = Compiled::new(scene);
-        let plan = plan::Told::new(&compiled, &Grid::new(&View::whole(scene)));
+        let grid = Grid::new(&View::whole(scene));
+        let plan = plan::Told::new(&compiled, &grid, isa).map_err(failed)?;
         let has = Has::new(scene, &compiled);
-        let needs = Needs::new(scene, &has);
+        let needs = Needs::new(scene, &compiled, &has, plan.depth);
+        let light = LightBounds::new(scene);
+        let without_end = Compiled { max_depth: u32::MAX, ..compiled };
+        let plan_depth = plan.depth;
+        let endless = Plan::new(&without_end, &grid).depth;
         let entry = |(depth, count): (usize, &catoptric_scene::DepthCount)| Depth {
             depth,
             rays: count.rays,
@@ -147,7 +156,8 @@ impl Account {
                 end,
                 depths: counts.depths.iter().enumerate().map(entry).collect(),
             },
-            caps: caps(scene, deepest_ray),
+            caps: caps(&light, deepest_ray, plan_depth, endless),
+            weight_cut_bound: weight_cut_bound(scene, &light),
             enough: Depths { same_bits, within_a_level },
         })
     }
@@ -185,16 +195,22 @@ fn end(scene: &Scene, isa: Isa, deepest: u32) -> Result<Option<u32>, TooDeep> {
     Ok(Some(deepest).filter(|deepest| *deepest < far.render.max_depth))
 }
 
-/// A few caps: 0 to 5, then powers of two, and the deepest ray.
-fn caps(scene: &Scene, deepest: u32) -> Vec<Cap> {
-    let light = LightBounds::new(scene);
+/// A few caps: 0 to 5, then powers of two, and the deepest ray. `full`: the reflections that can
+/// occur; `endless`: the same if max_depth were without end.
+fn caps(light: &LightBounds, deepest: u32, full: u32, endless: u32) -> Vec<Cap> {
     let bound = |cap, full| Some(light.left_out_by_cap(cap, full)).filter(|b| b.is_finite());
     let cap = |max_depth| Cap {
         max_depth,
-        bound: bound(max_depth, scene.render.max_depth),
-        bound_endless: bound(max_depth, u32::MAX),
+        bound: bound(max_depth, full),
+        bound_endless: bound(max_depth, endless),
     };
     let powers = (3..32).map(|i| 1 << i);
     let few = (0..=5).chain(powers).take_while(|depth| *depth < deepest);
     few.chain([deepest]).map(cap).collect()
+}
+
+fn weight_cut_bound(scene: &Scene, light: &LightBounds) -> Option<f64> {
+    let render = scene.render;
+    let bound = light.left_out_by_weight(render.min_weight, render.max_depth);
+    (render.min_weight > 0.0 && bound.is_finite()).then_some(bound)
 }

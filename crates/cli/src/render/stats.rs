@@ -47,12 +47,47 @@ pub(super) struct Planned {
     pub(super) depth: u32,
     /// Work that is left out because no bit depends on it.
     pub(super) omitted: Vec<&'static str>,
+    /// Whether there is a linear film: PNG and PPM need none.
+    pub(super) film: bool,
+    pub(super) features: Used,
+}
+
+/// What the scene and the request use.
+#[derive(Debug, Serialize)]
+pub(super) struct Used {
+    balls: usize,
+    large_spheres: usize,
+    planes: usize,
+    around: usize,
+    mirrors: usize,
+    lamps: usize,
+    hidden_lamps: usize,
+    coloured_lamps: bool,
+    highlight: bool,
+    fractional_shininess: bool,
+    weight_cut: bool,
+    samples: u32,
 }
 
 impl Planned {
-    pub(super) fn of(plan: &Plan) -> Self {
+    pub(super) fn of(plan: &Plan, film: bool) -> Self {
         let omitted = plan.omitted.iter().map(|omission| omission.name()).collect();
-        Self { depth: plan.depth, omitted }
+        let features = plan.features;
+        let features = Used {
+            balls: features.balls,
+            large_spheres: features.large_spheres,
+            planes: features.planes,
+            around: features.around,
+            mirrors: features.mirrors,
+            lamps: features.lamps,
+            hidden_lamps: features.hidden_lamps,
+            coloured_lamps: features.coloured_lamps,
+            highlight: features.highlight,
+            fractional_shininess: features.fractional_shininess,
+            weight_cut: features.cut,
+            samples: features.samples,
+        };
+        Self { depth: plan.depth, omitted, film, features }
     }
 }
 

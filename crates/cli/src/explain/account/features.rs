@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use catoptric_scene::{Compiled, Numerics, Power, Scene, Shape};
+use catoptric_scene::{Compiled, Material, Numerics, Power, Scene, Shape};
 use serde::Serialize;
 
 /// What it has.
@@ -58,6 +58,8 @@ pub(super) struct Lamps {
     pub(super) stated: usize,
     /// Behind some primitive for all that can be seen: they light nothing.
     pub(super) hidden: usize,
+    /// Of intensity 0.
+    pub(super) off: usize,
     /// Whose channels differ.
     pub(super) coloured: usize,
 }
@@ -65,11 +67,11 @@ pub(super) struct Lamps {
 /// What it needs.
 #[derive(Debug, Serialize)]
 pub(super) struct Needs {
-    /// Some lamp can light something.
+    /// Some lamp can light something that shows it.
     pub(super) shadow_rays: bool,
     /// Some lamp can make a highlight.
     pub(super) highlights: bool,
-    /// Some mirror is followed.
+    /// Some mirror can be followed.
     pub(super) reflection_rays: bool,
     /// Paths are cut by their weight.
     pub(super) weight_cut: bool,
@@ -105,6 +107,7 @@ impl Has {
             lamps: Lamps {
                 stated: scene.lights.len(),
                 hidden: compiled.lights.iter().filter(|light| light.hidden).count(),
+                off: scene.lights.iter().filter(|l| l.intensity == [0.0; 3]).count(),
                 coloured: scene.lights.iter().filter(|l| !is_grey(l.intensity)).count(),
             },
             background: scene.render.background,
@@ -114,12 +117,19 @@ impl Has {
 }
 
 impl Needs {
-    pub(super) fn new(scene: &Scene, has: &Has) -> Self {
-        let lit = has.lamps.stated > has.lamps.hidden;
+    /// `depth`: reflections that can occur.
+    pub(super) fn new(scene: &Scene, compiled: &Compiled, has: &Has, depth: u32) -> Self {
+        let mut lamps = scene.lights.iter().zip(&compiled.lights);
+        let lit = lamps.any(|(stated, lamp)| !lamp.hidden && stated.intensity != [0.0; 3]);
+        let spheres = scene.spheres.iter().map(|sphere| sphere.material);
+        let mut materials = spheres.chain(scene.planes.iter().map(|plane| plane.material));
+        let shows = |material: Material| {
+            material.specular > 0.0 || material.color.iter().any(|c| material.diffuse * c > 0.0)
+        };
         Self {
-            shadow_rays: lit && has.primitives.spheres + has.primitives.planes > 0,
+            shadow_rays: lit && materials.any(shows),
             highlights: lit && has.highlights.whole + has.highlights.fractional > 0,
-            reflection_rays: !has.mirrors.is_empty() && scene.render.max_depth > 0,
+            reflection_rays: depth > 0,
             weight_cut: scene.render.min_weight > 0.0,
         }
     }

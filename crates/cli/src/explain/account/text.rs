@@ -23,15 +23,15 @@ pub(in crate::explain) fn write(account: &Account, to: &mut dyn Write) -> io::Re
     writeln!(to, "\nWhat it needs")?;
     let needs = &account.needs;
     for (needed, what) in [
-        (needs.shadow_rays, "shadow rays: a lamp can light something"),
+        (needs.shadow_rays, "shadow rays: a lamp can light something that shows it"),
         (needs.highlights, "highlights: a lamp can make one"),
-        (needs.reflection_rays, "reflection rays: there are mirrors, and max_depth is not 0"),
+        (needs.reflection_rays, "reflection rays: some mirror can be followed"),
         (needs.weight_cut, "weights: paths of less than min_weight are cut"),
     ] {
         writeln!(to, "  {} {what}", if needed { "yes" } else { "no " })?;
     }
 
-    writeln!(to, "\nWhat the engine leaves out, and why that is safe")?;
+    writeln!(to, "\nWhat the engine leaves out, why that is safe, and what it saves")?;
     write_plan(account, to)?;
 
     write_rays(account, to)?;
@@ -77,29 +77,54 @@ fn write_has(has: &Has, to: &mut dyn Write) -> io::Result<()> {
     let lamps = &has.lamps;
     line("lamps", &format!("{}, {} of them coloured", lamps.stated, lamps.coloured))?;
     line("", &format!("{} hidden from all that can be seen", lamps.hidden))?;
+    if lamps.off > 0 {
+        line("", &format!("{} of intensity 0", lamps.off))?;
+    }
     line("background", &colour(has.background))?;
     line("ambient", &colour(has.ambient))
 }
 
 fn write_plan(account: &Account, to: &mut dyn Write) -> io::Result<()> {
     let plan = &account.plan;
-    if plan.depth < account.max_depth {
+    if plan.depth_set_by != "max_depth" {
         let depth = plan.depth;
-        let why = if depth == 0 { "no mirror" } else { "one mirror, which cannot show itself" };
+        let why = match (plan.depth_set_by, depth) {
+            ("min_weight", _) => "a weight of more mirrors is below min_weight",
+            (_, 0) => "there is no mirror",
+            _ => "there is one mirror, which cannot show itself",
+        };
         writeln!(to, "  depth       no ray can have more than {depth} reflections")?;
-        writeln!(to, "              there is {why}")?;
+        writeln!(to, "              {why}")?;
     }
     for omitted in &plan.omitted {
         writeln!(to, "  {:<12}{}", omitted.name, omitted.what)?;
         writeln!(to, "              {}", omitted.why)?;
+        let percent = omitted.saves * 100.0;
+        if percent < 0.0 {
+            writeln!(
+                to,
+                "              costs {:.0} % of the time of tracing, measured now",
+                -percent
+            )?;
+        } else {
+            writeln!(
+                to,
+                "              saves {percent:.0} % of the time of tracing, measured now"
+            )?;
+        }
     }
     if plan.omitted.is_empty() {
-        writeln!(to, "  nothing")?;
+        writeln!(to, "  nothing of this scene's own")?;
     }
     let (tiles, empty, tried) = (plan.tiles, plan.empty_tiles, plan.tried_a_tile);
     let primitives = account.has.primitives.spheres + account.has.primitives.planes;
     writeln!(to, "  of {primitives} primitives a tile's eye rays try {tried:.2} in the mean;")?;
-    writeln!(to, "  {empty} of {tiles} tiles can show nothing but the background")
+    writeln!(to, "  {empty} of {tiles} tiles can show nothing but the background")?;
+    if let Some(occluders) = plan.occluders {
+        writeln!(to, "  between a lamp and a primitive {occluders:.2} can stand in the mean")?;
+    }
+    writeln!(to, "  and of every scene:")?;
+    plan.always.iter().try_for_each(|always| writeln!(to, "  - {always}"))
 }
 
 fn write_rays(account: &Account, to: &mut dyn Write) -> io::Result<()> {
@@ -107,6 +132,9 @@ fn write_rays(account: &Account, to: &mut dyn Write) -> io::Result<()> {
     writeln!(to, "\nWhere rays end")?;
     writeln!(to, "  the deepest has {} reflections behind it", rays.deepest)?;
     match rays.end {
+        Some(end) if end == rays.deepest && account.needs.weight_cut => {
+            writeln!(to, "  there they end, by themselves or cut by min_weight")?
+        }
         Some(end) if end == rays.deepest => writeln!(to, "  there they end by themselves")?,
         Some(end) => {
             writeln!(to, "  with a larger max_depth they would end by themselves at {end}")?
@@ -137,6 +165,10 @@ fn write_caps(account: &Account, to: &mut dyn Write) -> io::Result<()> {
     for cap in &account.caps {
         let (depth, own, any) = (cap.max_depth, bound(cap.bound), bound(cap.bound_endless));
         writeln!(to, "  {depth:>10} {own:>20} {any:>20}")?;
+    }
+    if account.needs.weight_cut {
+        let bound = bound(account.weight_cut_bound);
+        writeln!(to, "  min_weight {} against none: {bound}", account.min_weight)?;
     }
     Ok(())
 }
