@@ -5,7 +5,7 @@
 //! bounds.rs       what every case is held to: the one table
 //! cases.rs        the measurements
 //!   cases/          by what is stiff or extreme
-//! given.rs        the measures of pictures, for scenes that somebody gave
+//! given.rs        the measures of pictures and the criterion, for scenes that somebody gave
 //! followed.rs     the measures that follow paths, together
 //! paths.rs        paths in each arithmetic, and where two of them part
 //!   agreement.rs    how many meet what truth meets, by bounce
@@ -156,7 +156,7 @@ fn pictures_of(subjects: &[Subject], watch: &dyn Watch) -> Report {
             break;
         }
         watch.say(&format!("{name}: backward error"));
-        given::measure(&mut table, name, scene);
+        report.failed |= given::measure(&mut table, name, scene);
     }
     report.table(table);
     if !watch.stopped() {

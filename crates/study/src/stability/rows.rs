@@ -1,9 +1,9 @@
 //! The suite's findings as rows.
 
 use super::cases::refusals::Refusal;
-use super::suite::{Finding, Verdict, bound, verdict};
+use super::suite::{Finding, Verdict, held_to, verdict};
 use crate::formula::Formula;
-use crate::report::{Column, Table};
+use crate::report::{Cell, Column, Table};
 
 const COLUMNS: &[Column] = &[
     Column { key: "case", heading: "case", meaning: "its name in the table of bounds" },
@@ -29,7 +29,9 @@ pub(crate) fn table() -> Table {
 
 /// Adds a finding.
 pub(crate) fn push(table: &mut Table, finding: Finding) {
-    let (bound, verdict) = (bound(&finding), verdict(&finding));
+    let verdict = verdict(&finding);
+    let (group, case) = held_to(&finding);
+    let (most, _) = case.of(finding.formula);
     let sentence = match verdict {
         Verdict::FailsAsKnown(text) => format!("{text} {}", finding.sentence),
         _ => finding.sentence,
@@ -38,14 +40,19 @@ pub(crate) fn push(table: &mut Table, finding: Finding) {
         finding.case.into(),
         finding.formula.map_or("any", Formula::name).into(),
         verdict.text().into(),
-        finding.measured.into(),
-        bound.most.into(),
-        bound.quantity.into(),
+        number(finding.measured),
+        most.into(),
+        group.quantity.into(),
         sentence.into(),
         finding.tested.into(),
-        bound.source.into(),
-        bound.why.into(),
+        group.source.into(),
+        group.why.into(),
     ]);
+}
+
+/// A number, or in words what JSON would have no number for.
+fn number(measured: f64) -> Cell {
+    if measured.is_finite() { measured.into() } else { format!("not finite: {measured}").into() }
 }
 
 const REFUSALS: &[Column] = &[
