@@ -223,10 +223,10 @@ fn given_scenes_are_measured_with_every_formula() {
     assert!(matches!(rows[0][7], Cell::Count(count) if count > 10), "textbook is");
 }
 
-/// 64 reflections in a closed room: known of the suite's, and of a given one said so.
+/// After 64 reflections in a closed room two pixels meet edges that 4 u of input do not reach.
 #[test]
 fn a_given_scene_on_which_robust_fails_fails_the_study() {
-    let mut room = Room { balls: 3, ..Room::default() }.draft().expect("in range");
+    let mut room = Room { balls: 3, seed: 1, ..Room::default() }.draft().expect("in range");
     (room.image.width, room.image.height) = (60, 45);
     let report =
         run(&[subject("room", Scene::new(room).expect("valid"))], &Unwatched, Effort::default());

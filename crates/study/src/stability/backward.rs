@@ -81,6 +81,8 @@ struct Moves {
     /// In the picture's unit.
     floor: f64,
     scenes: OnceLock<Vec<Truth>>,
+    /// Of each pixel that was asked for: its spread by the eye ray and by all input.
+    spreads: Vec<OnceLock<[f64; 2]>>,
 }
 
 /// A picture's backward error.
@@ -130,7 +132,7 @@ impl Judge {
         let truth = Truth::new(scene, Precision::DoubleDouble);
         let pixels = truth.render(&view)?.pixels;
         let brightness = pixels.as_flattened().iter().copied().fold(0.0, larger);
-        let moves = |u| Moves::new(u, brightness);
+        let moves = |u| Moves::new(u, brightness, pixels.len());
         let (f32, f64) = (moves(Formula::RobustF32.u()), moves(Formula::RobustF64.u()));
         Ok(Self { scene: scene.clone(), view, truth, pixels, f32, f64 })
     }
@@ -219,14 +221,26 @@ impl Judge {
 
     /// Both ratios of a pixel.
     fn ratios(&self, moves: &Moves, index: usize, error: f64) -> Result<[f64; 2], TooDeep> {
+        let spreads = match moves.spreads[index].get() {
+            Some(spreads) => *spreads,
+            None => {
+                let spreads = self.both(moves, index)?;
+                *moves.spreads[index].get_or_init(|| spreads)
+            }
+        };
+        Ok(spreads.map(|spread| ratio(error, larger(moves.floor, spread))))
+    }
+
+    /// A pixel's spreads by the eye ray and by all input.
+    fn both(&self, moves: &Moves, index: usize) -> Result<[f64; 2], TooDeep> {
         let [x, y] = self.place(index);
-        let by_eye = larger(moves.floor, self.by_eye(moves, index)?);
+        let by_eye = self.by_eye(moves, index)?;
         let mut by_input = by_eye;
         for truth in moves.scenes(&self.scene) {
             let other = truth.radiance(&self.view, x, y)?;
             by_input = larger(by_input, difference(&other, &self.pixels[index]));
         }
-        Ok([ratio(error, by_eye), ratio(error, by_input)])
+        Ok([by_eye, by_input])
     }
 
     /// A pixel's spread by the eye ray.
@@ -252,8 +266,9 @@ impl Judge {
 }
 
 impl Moves {
-    fn new(u: f64, brightness: f64) -> Self {
-        Self { u, floor: FLOOR * u * brightness, scenes: OnceLock::new() }
+    fn new(u: f64, brightness: f64, pixels: usize) -> Self {
+        let spreads = std::iter::repeat_with(OnceLock::new).take(pixels).collect();
+        Self { u, floor: FLOOR * u * brightness, scenes: OnceLock::new(), spreads }
     }
 
     fn scenes(&self, scene: &Scene) -> &[Truth] {
