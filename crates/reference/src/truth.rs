@@ -166,6 +166,16 @@ impl Truth {
         }
     }
 
+    /// The unit direction of the eye ray of pixel (x, y)'s first sub-sample, rounded to f64.
+    #[must_use]
+    pub fn direction(&self, view: &View, x: u32, y: u32) -> [f64; 3] {
+        let at = Sample { x, y, i: 0, j: 0 };
+        match &self.model {
+            AnyModel::F64(model) => model.eye.direction(view, at, [0.0; 3]).to_f64(),
+            AnyModel::DoubleDouble(model) => model.eye.direction(view, at, [0.0; 3]).to_f64(),
+        }
+    }
+
     /// Every hit on the path of pixel (x, y)'s first sub-sample, from the eye on, as deep as
     /// the picture follows it. Takes no stack, so no depth is too large.
     #[must_use]

@@ -1,10 +1,13 @@
 //! What is measured: the workshop's formulas, the robust ones, and the latter in f64.
 
 use catoptric_core::Isa;
-use catoptric_scene::{Compiled, Counts, Draft, Film, Grid, Numerics, Scene, View};
+use catoptric_scene::{Compiled, Counts, Draft, Film, Grid, Numerics, Scalar, Scene, View};
 
 use crate::stability::paths::{Arithmetic, with_numerics};
 use crate::tracer::{Renders, TooDeep, Tracer};
+
+/// 2^-24: half an ulp of 1 in f32.
+pub const U: f64 = f32::EPSILON as f64 / 2.0;
 
 /// Formulas and the arithmetic that they are computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +44,23 @@ impl Formula {
             Self::TextbookF32 => Arithmetic::Textbook,
             Self::RobustF32 => Arithmetic::Robust,
             Self::RobustF64 => Arithmetic::RobustF64,
+        }
+    }
+
+    /// The unit roundoff of its arithmetic: half an ulp of 1.
+    #[must_use]
+    pub fn u(self) -> f64 {
+        match self {
+            Self::TextbookF32 | Self::RobustF32 => U,
+            Self::RobustF64 => f64::EPSILON / 2.0,
+        }
+    }
+
+    /// Numbers as its arithmetic holds them.
+    pub(crate) fn rounded(self, v: [f64; 3]) -> [f64; 3] {
+        match self {
+            Self::TextbookF32 | Self::RobustF32 => v.map(|x| f64::from(f32::rounded(x))),
+            Self::RobustF64 => v,
         }
     }
 

@@ -71,6 +71,16 @@ pub fn differing_pixels(a: &Film, b: &Film) -> usize {
     pairs.filter(|(a, b)| !a.iter().zip(*b).all(same)).count()
 }
 
+/// The larger; NaN if one is NaN.
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a >= b || a.is_nan() { a } else { b }
+}
+
+/// The largest difference of a channel; NaN if one is NaN.
+pub(crate) fn difference(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, larger)
+}
+
 /// A picture in f32 as numbers that can be compared with truth.
 #[must_use]
 pub fn widened(pixels: &[[f32; 3]]) -> Vec<[f64; 3]> {

@@ -5,7 +5,7 @@
 //! bounds.rs       what every case is held to: the one table
 //! cases.rs        the measurements
 //!   cases/          by what is stiff or extreme
-//! given.rs        the measures of pictures, for scenes that somebody gave
+//! given.rs        the measures of pictures and the criterion, for scenes that somebody gave
 //! followed.rs     the measures that follow paths, together
 //! paths.rs        paths in each arithmetic, and where two of them part
 //!   agreement.rs    how many meet what truth meets, by bounce
@@ -79,7 +79,7 @@ fn the_suite(watch: &dyn Watch, effort: Effort) -> Report {
 }
 
 fn add_verdicts(report: &mut Report, watch: &dyn Watch, effort: Effort) {
-    let mut table = rows::table();
+    let mut rows = rows::Rows::new();
     let mut counts = [0; 4];
     for experiment in &EXPERIMENTS {
         if watch.stopped() {
@@ -95,7 +95,7 @@ fn add_verdicts(report: &mut Report, watch: &dyn Watch, effort: Effort) {
                 Verdict::Fails => 2,
                 Verdict::HoldsNow => 3,
             }] += 1;
-            rows::push(&mut table, finding);
+            rows.push(finding);
         }
     }
     let [holds, known, fails, now] = counts;
@@ -104,7 +104,9 @@ fn add_verdicts(report: &mut Report, watch: &dyn Watch, effort: Effort) {
         "{holds} hold, {known} fail as known, {fails} FAIL, {now} hold though listed as known \
          failures. Truth is double-double from the unrounded scene."
     ));
-    report.table(table);
+    report.table(rows.verdicts);
+    report.heading("What the cases are");
+    report.table(rows.cases);
 }
 
 fn add_refusals(report: &mut Report, _: &dyn Watch) {
@@ -138,6 +140,7 @@ fn add_growth(report: &mut Report, watch: &dyn Watch) {
          in p bits is lost after about (p ln 2 + ln tolerance)/ln Lambda of them, whatever the \
          formulas. Open scenes let their rays escape before; closed rooms do not.",
     );
+    report.failed |= growths.iter().any(|growth| growth.holds() == Some(false));
     report.table(amplification::table(&growths));
     for growth in &growths {
         report.plot(amplification::plot(growth));
@@ -156,7 +159,7 @@ fn pictures_of(subjects: &[Subject], watch: &dyn Watch) -> Report {
             break;
         }
         watch.say(&format!("{name}: backward error"));
-        given::measure(&mut table, name, scene);
+        report.failed |= given::measure(&mut table, name, scene);
     }
     report.table(table);
     if !watch.stopped() {

@@ -6,8 +6,8 @@ use catoptric_reference::truth::{Precision, Truth};
 use catoptric_scene::family::Room;
 use catoptric_scene::{Material, Numerics, Plane, Scene, View};
 use catoptric_study::stability::amplification::{
-    Case, Orbit, largest, measure, measure_all, orbits, periodic_lambda, picture, plot, spreads,
-    table,
+    Case, Growth, Orbit, largest, measure, measure_all, orbits, periodic_lambda, picture, plot,
+    spreads, table,
 };
 use catoptric_study::stability::paths::Arithmetic;
 use catoptric_study::{Unwatched, Watch};
@@ -36,6 +36,9 @@ fn measured_growth_is_the_closed_form() {
     for case in orbits().iter().chain([&across]) {
         let growth = measure(case);
         let lambda = growth.closed.expect("a periodic orbit");
+        assert_eq!(growth.holds(), Some(true), "{}", case.name);
+        let other = Growth { closed: Some(lambda * (1.0 + 3e-6)), ..growth.clone() };
+        assert_eq!(other.holds(), Some(false), "{}", case.name);
         for found in [growth.transported, growth.nudged] {
             let found = found.expect("bounces enough");
             assert!((found / lambda - 1.0).abs() < 1e-6, "{}: {found}, not {lambda}", case.name);

@@ -1,8 +1,10 @@
 //! The condition map.
 
 use catoptric_scene::{Image, Material, Plane, View};
+use catoptric_study::formula::U;
+use catoptric_study::report::Cell;
 use catoptric_study::stability::condition::{
-    Condition, FACTOR, Foretold, REACH, U, condition, foretold, picture,
+    Condition, FACTOR, Foretold, REACH, condition, foretold, pictures, table,
 };
 
 use super::scenes::{matt, scene, seen};
@@ -71,19 +73,27 @@ fn recall_and_precision_count_what_they_say() {
     assert_eq!((sum.recall(), sum.precision()), (Some(0.25), Some(0.75)));
     let nothing = foretold(&[0.0], &truth[..1], &truth[..1]);
     assert_eq!((nothing.recall(), nothing.precision()), (None, None));
+    let rows = table(&[("x".into(), "amplified", nothing)]).rows;
+    assert_eq!(rows[0][4], Cell::from("no wrong pixel"));
 }
 
 #[test]
-fn the_picture_gets_lighter_with_the_value() {
-    let moved: Vec<_> = (0..=90).map(|i| 10.0_f64.powf(f64::from(i) / 10.0 - 8.5)).collect();
-    let map = Condition { width: 91, height: 1, amplified: vec![0.0; 91], moved };
-    let shown = picture("x", &map, 2);
-    let light = |[r, g, b]: &[u8; 3]| {
-        0.2126 * f64::from(*r) + 0.7152 * f64::from(*g) + 0.0722 * f64::from(*b)
-    };
-    assert!(shown.pixels.iter().map(light).is_sorted());
-    assert_eq!((shown.pixels[0], shown.pixels[90]), ([0x44, 0x01, 0x54], [0xfd, 0xe7, 0x25]));
+fn both_pictures_get_lighter_with_their_values() {
+    let values: Vec<_> = (0..=90).map(|i| 10.0_f64.powf(f64::from(i) / 10.0 - 8.5)).collect();
+    let dark = [0x44, 0x01, 0x54];
+    let map = |amplified, moved| Condition { width: 91, height: 1, amplified, moved };
+    let of = [(0, map(values.clone(), vec![0.0; 91])), (1, map(vec![0.0; 91], values))];
+    for (which, map) in of {
+        let pictures = pictures("x", &map, 2);
+        let light = |[r, g, b]: &[u8; 3]| {
+            0.2126 * f64::from(*r) + 0.7152 * f64::from(*g) + 0.0722 * f64::from(*b)
+        };
+        let shown = &pictures[which].pixels;
+        assert!(shown.iter().map(light).is_sorted());
+        assert_eq!((shown[0], shown[90]), (dark, [0xfd, 0xe7, 0x25]));
+        assert_eq!(pictures[1 - which].pixels, [dark; 91], "the other map's");
+    }
     let none =
         Condition { moved: vec![0.0, f64::NAN], amplified: vec![0.0; 2], width: 2, height: 1 };
-    assert_eq!(picture("x", &none, 1).pixels, [[0x44, 0x01, 0x54]; 2]);
+    assert_eq!(pictures("x", &none, 1)[1].pixels, [dark; 2]);
 }

@@ -93,6 +93,14 @@ impl Growth {
         Some(digits / lambda.ln())
     }
 
+    /// Whether both measured growths are the closed form within 1e-6 of it; `None` without one.
+    #[must_use]
+    pub fn holds(&self) -> Option<bool> {
+        let closed = self.closed?;
+        let is = |found: Option<f64>| found.is_some_and(|x| (x / closed - 1.0).abs() < 1e-6);
+        Some(is(self.transported) && is(self.nudged))
+    }
+
     /// The growth that theory uses.
     #[must_use]
     pub fn lambda(&self) -> Option<f64> {

@@ -1,66 +1,88 @@
 //! Backward error: is the picture the true picture of a scene nearly as stated?
 //!
-//! Where mirrors amplify, no f32 computation can be near truth, and the raw error says little.
-//! So a pixel is judged by how far truth itself moves when its input does:
+//! Where mirrors amplify, no computation in p bits can be near truth, and the raw error says
+//! little. So a pixel is judged by how far truth itself moves when its input does:
 //!
-//! ratio = error / max(spread, 3e-6), to be at most 4.
+//! ratio = error / max(spread, floor), to be at most 4.
 //!
-//! 3e-6 is what f32 leaves of a sum of a few terms near 1. The spread is measured in one of two
-//! ways, and both ratios are reported:
+//! The floor is what the arithmetic leaves of a sum of a few terms: 3e-6 of the picture's
+//! brightness in f32, as many u in f64. Brightness is truth's largest channel, so that lamps a
+//! thousand times brighter change no ratio; the a-priori bound B of [`crate::light`] would not
+//! do, being ten times and more what a scene of mirrors shows.
 //!
-//! - **by the eye ray**: its direction is nudged by 1, 2 and 4 u, u = 2^-24, in four directions;
-//! - **by all input**: beside that, every place is moved by up to m u of its distance from the
-//!   eye, every radius and normal by as much relatively, and the highlight of shininess p is
-//!   multiplied by (1 ± m u)^p, which is what an error of m u in the length of a unit vector
-//!   does to the power of a cosine. A sphere that is large against the scene is moved by m u of
-//!   the scene's extent, not of its own radius, or every error on it would be excused. For a
-//!   pixel whose path meets n surfaces, m is up to 4 sqrt(n): each reflection rounds anew, and
-//!   along a path that amplifies nothing, such as one close to a mirror wall, n roundings lead
-//!   sqrt(n) times further from truth than one change of the scene does.
+//! The spread is measured in one of two ways, u being 2^-24 in f32 and 2^-53 in f64:
+//!
+//! - **by the eye ray**: truth's largest change when the ray's direction is nudged by 1, 2 and
+//!   4 u, to the right, to the left, up and down;
+//! - **by all input**: the larger of that and truth's largest change over [`SCENES`] scenes,
+//!   all of whose input is moved at once, in ways of chance. Every place is moved by [`MOVED`] u
+//!   of its distance from the eye, every radius and normal by up to as much relatively, and the
+//!   highlight of shininess p is multiplied by (1 ± [`MOVED`] u)^p, which is what an error in
+//!   the length of a unit vector does to the power of a cosine. A sphere that is large against
+//!   the scene is turned about the eye by [`MOVED`] u and moved by as many u of the scene's
+//!   extent, not of its own radius, or every error on it would be excused.
+//!
+//! They are the same scenes for every pixel of every picture: none is added for one that fails.
 //!
 //! A mirrored highlight needs the second: next to its middle the cosine is 1 up to the rounding
 //! of two unit vectors' lengths, which no nudge of a direction changes to first order, and the
-//! power multiplies that by p.
+//! power multiplies that by p. But it is the laxer one: it takes the largest of 64 changes more,
+//! and where a path meets an edge within reach of any of them, the whole step is excused.
+
+mod moved;
+
+use std::sync::OnceLock;
 
 use catoptric_reference::truth::{Precision, TooDeep, Truth};
-use catoptric_scene::family::Draws;
-use catoptric_scene::{Draft, Scene, View};
+use catoptric_scene::{Scene, View};
+use glam::DVec3;
 use rayon::prelude::*;
 
-use super::exact::U;
-use super::generic::{across, along, direction, dot, norm, unit};
-use crate::metrics::Metrics;
-
-/// What f32 leaves of a local sum.
-pub const FLOOR: f64 = 3e-6;
+use crate::formula::{Formula, U};
+use crate::metrics::{Metrics, difference, larger};
 
 /// Ratio up to which a pixel passes.
 pub const ALLOWED: f64 = 4.0;
 
+/// By how many u the eye ray is nudged.
+const NUDGES: [f64; 3] = [1.0, 2.0, 4.0];
+
+/// Scenes with moved input.
+pub const SCENES: u64 = 64;
+
+/// By how many u their input is moved.
+pub const MOVED: f64 = 4.0;
+
+/// 3e-6 is so many u of f32.
+const FLOOR: f64 = 3e-6 / U;
+
 /// Ratio from which on nothing is left to excuse: the picture is of another scene.
 const HOPELESS: f64 = 1000.0;
-
-/// Scenes with moved input that every pixel in question is compared with.
-const FEW: usize = 4;
-
-/// As many that a pixel is compared with before it fails: between mirrors, one of many moves
-/// is what takes a path to the other side of an edge.
-const MANY: u64 = 200;
-
-/// By how many u the scenes are moved, one after the other.
-const SIZES: [f64; 6] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
 
 /// Pixels that are judged together.
 const CHUNK: usize = 64;
 
+/// Pixels that stand for a picture where its spreads are asked for.
+const SAMPLE: usize = 600;
+
 /// Truth of a scene, and how it moves.
 pub struct Judge {
+    scene: Scene,
     view: View,
     truth: Truth,
-    /// Truth of moved scenes, each with its m.
-    moved: Vec<(f64, Truth)>,
-    nudges: Vec<[f64; 3]>,
     pixels: Vec<[f64; 3]>,
+    f32: Moves,
+    f64: Moves,
+}
+
+/// What truth is moved by.
+struct Moves {
+    u: f64,
+    /// In the picture's unit.
+    floor: f64,
+    scenes: OnceLock<Vec<Truth>>,
+    /// Of each pixel that was asked for: its spread by the eye ray and by all input.
+    spreads: Vec<OnceLock<[f64; 2]>>,
 }
 
 /// A picture's backward error.
@@ -68,8 +90,7 @@ pub struct Judge {
 pub struct Backward {
     /// Largest ratio, the spread by the eye ray.
     pub by_eye: f64,
-    /// Largest ratio, the spread by all input. Never above `by_eye`. More and more scenes are
-    /// tried only until a pixel passes, so that a value close to 4 says no more than that.
+    /// Largest ratio, the spread by all input. Never above `by_eye`.
     pub by_input: f64,
     /// Pixels whose ratios are above [`ALLOWED`], by the eye ray and by all input. Not counted
     /// where a ratio is above 1000: the picture is then looked at no further, and the ratios
@@ -79,15 +100,24 @@ pub struct Backward {
     pub raw: Metrics,
 }
 
+/// How far truth moves by its eye rays, over a sample of pixels; in floors.
+#[derive(Clone, Copy, Debug)]
+pub struct Spreads {
+    /// The upper median.
+    pub median: f64,
+    /// The 99th percentile.
+    pub p99: f64,
+}
+
 impl Backward {
-    /// The other ratio and the pixels beyond, in words.
+    /// The pixels beyond, in words.
     #[must_use]
-    pub fn beside(&self, other: f64) -> String {
+    pub fn beyond(&self) -> String {
         match self.beyond {
-            Some([eye, input]) => format!(
-                "the other ratio is {other:.3}; above 4 are {eye} pixels by the eye ray, {input} by all input"
-            ),
-            None => format!("the other ratio is {other:.0}; pixels above 4 not counted"),
+            Some([eye, input]) => {
+                format!("above 4 are {eye} pixels by the eye ray, {input} by all input")
+            }
+            None => "pixels above 4 not counted".to_owned(),
         }
     }
 }
@@ -101,18 +131,10 @@ impl Judge {
         let view = View::whole(scene);
         let truth = Truth::new(scene, Precision::DoubleDouble);
         let pixels = truth.render(&view)?.pixels;
-        let moved = (0..MANY).filter_map(|seed| {
-            let size = SIZES[usize::try_from(seed).expect("few seeds") % SIZES.len()];
-            let scene = moved(scene, seed, size * U)?;
-            Some((size, Truth::new(&scene, Precision::DoubleDouble)))
-        });
-        let moved = moved.collect();
-        let draws = &mut Draws::new(0);
-        let nudges = (0..4).flat_map(|_| {
-            let way = direction(draws);
-            [1.0, 2.0, 4.0].map(|size| way.map(|x| x * size * U))
-        });
-        Ok(Self { view, truth, moved, nudges: nudges.collect(), pixels })
+        let brightness = pixels.as_flattened().iter().copied().fold(0.0, larger);
+        let moves = |u| Moves::new(u, brightness, pixels.len());
+        let (f32, f64) = (moves(Formula::RobustF32.u()), moves(Formula::RobustF64.u()));
+        Ok(Self { scene: scene.clone(), view, truth, pixels, f32, f64 })
     }
 
     /// Truth's picture.
@@ -121,10 +143,7 @@ impl Judge {
         &self.pixels
     }
 
-    /// Judges a picture of the scene.
-    ///
-    /// Pixels are taken from the largest error down, until what is left cannot hold the largest
-    /// ratio.
+    /// Judges a picture of the scene by the u of f32.
     ///
     /// # Errors
     /// A path that is too deep for truth's recursion.
@@ -132,6 +151,46 @@ impl Judge {
     /// # Panics
     /// If the picture is of another size.
     pub fn judge(&self, found: &[[f64; 3]]) -> Result<Backward, TooDeep> {
+        self.judge_by(&self.f32, found)
+    }
+
+    /// Judges a picture of the scene by the u of the formula's arithmetic.
+    ///
+    /// # Errors
+    /// A path that is too deep for truth's recursion.
+    ///
+    /// # Panics
+    /// If the picture is of another size.
+    pub fn judge_as(&self, formula: Formula, found: &[[f64; 3]]) -> Result<Backward, TooDeep> {
+        self.judge_by(self.moves(formula), found)
+    }
+
+    /// How far truth moves when its eye rays do by up to 4 u of the formula's arithmetic.
+    ///
+    /// # Errors
+    /// A path that is too deep for truth's recursion.
+    pub fn spreads(&self, formula: Formula) -> Result<Spreads, TooDeep> {
+        let moves = self.moves(formula);
+        let step = self.pixels.len().div_ceil(SAMPLE);
+        // Every n-th pixel, n odd, or some columns would stand for all.
+        let sample = (0..self.pixels.len()).into_par_iter().step_by(step | 1);
+        let spreads = sample.map(|index| Ok(self.by_eye(moves, index)? / moves.floor));
+        let mut spreads = spreads.collect::<Result<Vec<_>, TooDeep>>()?;
+        spreads.sort_by(f64::total_cmp);
+        let at = |share: f64| spreads[((spreads.len() - 1) as f64 * share).ceil() as usize];
+        Ok(Spreads { median: at(0.5), p99: at(0.99) })
+    }
+
+    fn moves(&self, formula: Formula) -> &Moves {
+        match formula {
+            Formula::TextbookF32 | Formula::RobustF32 => &self.f32,
+            Formula::RobustF64 => &self.f64,
+        }
+    }
+
+    /// Pixels are taken from the largest error down, until what is left cannot hold the largest
+    /// ratio nor one above [`ALLOWED`].
+    fn judge_by(&self, moves: &Moves, found: &[[f64; 3]]) -> Result<Backward, TooDeep> {
         let raw = Metrics::of(found, &self.pixels);
         let errors = found.iter().zip(&self.pixels).map(|(a, b)| difference(a, b));
         let mut by_error: Vec<_> = errors.enumerate().collect();
@@ -139,7 +198,7 @@ impl Judge {
 
         let mut judged = Backward { by_eye: 0.0, by_input: 0.0, beyond: Some([0; 2]), raw };
         for chunk in by_error.chunks(CHUNK) {
-            let most = chunk[0].1 / FLOOR;
+            let most = ratio(chunk[0].1, moves.floor);
             if most <= judged.by_input && most <= ALLOWED {
                 break;
             }
@@ -147,7 +206,7 @@ impl Judge {
                 judged.beyond = None;
                 break;
             }
-            let ratios = chunk.par_iter().map(|&(index, error)| self.ratios(index, error));
+            let ratios = chunk.par_iter().map(|&(index, error)| self.ratios(moves, index, error));
             for [by_eye, by_input] in ratios.collect::<Result<Vec<_>, _>>()? {
                 judged.by_eye = larger(judged.by_eye, by_eye);
                 judged.by_input = larger(judged.by_input, by_input);
@@ -161,85 +220,71 @@ impl Judge {
     }
 
     /// Both ratios of a pixel.
-    fn ratios(&self, index: usize, error: f64) -> Result<[f64; 2], TooDeep> {
-        let width = self.view.crop().width as usize;
-        let at = |i: usize| u32::try_from(i).expect("a side is at most 65 535");
-        let (x, y) = (at(index % width), at(index / width));
-        let mut by_eye = FLOOR;
-        for &nudge in &self.nudges {
-            let other = self.truth.radiance_nudged(&self.view, x, y, nudge)?;
-            by_eye = larger(by_eye, difference(&other, &self.pixels[index]));
-        }
-        let mut by_input = by_eye;
-        let surfaces = self.truth.path(&self.view, x, y).len();
-        let most = ALLOWED * (surfaces as f64).sqrt();
-        let moved = self.moved.iter().filter(|(size, _)| *size <= most || *size <= ALLOWED);
-        for (tried, (_, truth)) in moved.enumerate() {
-            let ratio = error / by_input;
-            if tried >= FEW && (passes(ratio) || ratio > HOPELESS) {
-                break;
+    fn ratios(&self, moves: &Moves, index: usize, error: f64) -> Result<[f64; 2], TooDeep> {
+        let spreads = match moves.spreads[index].get() {
+            Some(spreads) => *spreads,
+            None => {
+                let spreads = self.both(moves, index)?;
+                *moves.spreads[index].get_or_init(|| spreads)
             }
+        };
+        Ok(spreads.map(|spread| ratio(error, larger(moves.floor, spread))))
+    }
+
+    /// A pixel's spreads by the eye ray and by all input.
+    fn both(&self, moves: &Moves, index: usize) -> Result<[f64; 2], TooDeep> {
+        let [x, y] = self.place(index);
+        let by_eye = self.by_eye(moves, index)?;
+        let mut by_input = by_eye;
+        for truth in moves.scenes(&self.scene) {
             let other = truth.radiance(&self.view, x, y)?;
             by_input = larger(by_input, difference(&other, &self.pixels[index]));
         }
-        Ok([error / by_eye, error / by_input])
+        Ok([by_eye, by_input])
     }
+
+    /// A pixel's spread by the eye ray.
+    fn by_eye(&self, moves: &Moves, index: usize) -> Result<f64, TooDeep> {
+        let [x, y] = self.place(index);
+        let eye_ray = DVec3::from_array(self.truth.direction(&self.view, x, y));
+        let (right, up) = eye_ray.any_orthonormal_pair();
+        let mut spread = 0.0;
+        for way in [right, -right, up, -up] {
+            for size in NUDGES {
+                let nudge = (size * moves.u * way).to_array();
+                let other = self.truth.radiance_nudged(&self.view, x, y, nudge)?;
+                spread = larger(spread, difference(&other, &self.pixels[index]));
+            }
+        }
+        Ok(spread)
+    }
+
+    fn place(&self, index: usize) -> [u32; 2] {
+        let width = self.view.crop().width as usize;
+        [index % width, index / width].map(|i| u32::try_from(i).expect("at most 65 535"))
+    }
+}
+
+impl Moves {
+    fn new(u: f64, brightness: f64, pixels: usize) -> Self {
+        let spreads = std::iter::repeat_with(OnceLock::new).take(pixels).collect();
+        Self { u, floor: FLOOR * u * brightness, scenes: OnceLock::new(), spreads }
+    }
+
+    fn scenes(&self, scene: &Scene) -> &[Truth] {
+        self.scenes.get_or_init(|| {
+            let moved = (0..SCENES).filter_map(|seed| moved::scene(scene, seed, MOVED * self.u));
+            moved.map(|scene| Truth::new(&scene, Precision::DoubleDouble)).collect()
+        })
+    }
+}
+
+/// Of an error to a spread; no error is none of any spread.
+fn ratio(error: f64, spread: f64) -> f64 {
+    if error == 0.0 { 0.0 } else { error / spread }
 }
 
 /// Whether a pixel of that ratio passes; NaN does not.
-fn passes(ratio: f64) -> bool {
+pub(crate) fn passes(ratio: f64) -> bool {
     ratio <= ALLOWED
-}
-
-/// The largest difference of a channel; NaN if one is NaN.
-fn difference(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, larger)
-}
-
-/// The larger; NaN if one is NaN.
-fn larger(a: f64, b: f64) -> f64 {
-    if a >= b || a.is_nan() { a } else { b }
-}
-
-/// The scene with all its input moved by `size`; `None` where that leaves a range.
-fn moved(scene: &Scene, seed: u64, size: f64) -> Option<Scene> {
-    let draws = &mut Draws::new(1 + seed);
-    let mut draft = scene.clone().into_draft();
-    let (eye, extent) = (draft.camera.position, extent(&draft));
-    let distance = |x: [f64; 3]| norm(std::array::from_fn(|i| x[i] - eye[i]));
-    for light in &mut draft.lights {
-        let reach = distance(light.position);
-        light.position = along(light.position, direction(draws), size * reach);
-    }
-    for sphere in &mut draft.spheres {
-        let large = sphere.radius >= 2.0 * extent;
-        let reach = if large { extent } else { distance(sphere.center) };
-        sphere.center = along(sphere.center, direction(draws), size * reach);
-        if !large {
-            sphere.radius *= 1.0 + size * draws.between(-1.0, 1.0);
-        }
-    }
-    for plane in &mut draft.planes {
-        let reach = size * distance(plane.point);
-        plane.point = along(plane.point, direction(draws), reach);
-        let normal = unit(plane.normal);
-        plane.normal = along(normal, across(draws, normal), size);
-    }
-    let materials = draft.spheres.iter_mut().map(|sphere| &mut sphere.material);
-    let materials = materials.chain(draft.planes.iter_mut().map(|plane| &mut plane.material));
-    for material in materials {
-        material.reflect = Some(material.mirror());
-        let exponent = material.shininess * if draws.unit() < 0.5 { -1.0 } else { 1.0 };
-        material.specular *= (1.0 + size).powf(exponent);
-    }
-    Scene::new(draft).ok()
-}
-
-/// How far the surfaces are from the eye, at most.
-fn extent(draft: &Draft) -> f64 {
-    let from_eye =
-        |x: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| x[i] - draft.camera.position[i]) };
-    let spheres = draft.spheres.iter().map(|s| (norm(from_eye(s.center)) - s.radius).abs());
-    let planes = draft.planes.iter().map(|p| dot(unit(p.normal), from_eye(p.point)).abs());
-    spheres.chain(planes).fold(0.0, larger)
 }

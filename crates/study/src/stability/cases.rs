@@ -7,7 +7,8 @@
 //! distant.rs     tiny far spheres, grazing rays
 //! contact.rs     pairs with small gaps, shadows at a contact, the sphere just left
 //! invariance.rs  the scene moved, scaled, with every surface stated twice
-//! mirrors.rs     paths of hundreds of reflections
+//! stiff.rs       mirrors between which errors grow
+//! mirrors.rs     paths of many reflections
 //! refusals.rs    what is not a scene
 //! edges.rs       the ends of ranges, and odd places for eye and lights
 //! extreme.rs     generated scenes of any magnitude
@@ -23,4 +24,5 @@ pub(crate) mod large;
 pub(crate) mod mirrors;
 pub(crate) mod refusals;
 pub(crate) mod scenes;
+mod stiff;
 pub(crate) mod workshop;

@@ -22,17 +22,20 @@ use catoptric_scene::{Scene, View};
 use glam::DVec3;
 
 use super::paths::each_pixel;
-use crate::metrics::Metrics;
-use crate::report::{Column, Picture, Table};
-
-/// Half an ulp of f32 at 1.
-pub const U: f64 = 5.960_464_477_539_063e-8;
+use crate::formula::U;
+use crate::metrics::{Metrics, difference, larger};
+use crate::report::{Cell, Column, Picture, Table};
 
 /// How many u of nudge an edge is looked for in, as in the backward ratio.
 pub const REACH: f64 = 4.0;
 
 /// An error of up to so many times a pixel's value counts as foretold.
 pub const FACTOR: f64 = 4.0;
+
+/// The maps' names in rows and pictures.
+pub const AMPLIFIED: &str = "amplified";
+/// See [`AMPLIFIED`].
+pub const MOVED: &str = "moved";
 
 /// Nudge of the derivative: edges this near are rare, and a colour's last bit, 1e-16, divided
 /// by it is small against 1.
@@ -71,35 +74,22 @@ pub struct Foretold {
 pub fn condition(scene: &Scene, view: &View) -> Result<Condition, TooDeep> {
     let truth = Truth::new(scene, Precision::DoubleDouble);
     let pixel = |x, y| {
-        let (right, up) = direction(scene, view, x, y).any_orthonormal_pair();
+        let eye_ray = DVec3::from_array(truth.direction(view, x, y));
+        let (right, up) = eye_ray.any_orthonormal_pair();
         let colour = truth.radiance(view, x, y)?;
         let change = |nudge: DVec3| {
             let moved = truth.radiance_nudged(view, x, y, nudge.to_array())?;
-            let channels = colour.iter().zip(moved).map(|(a, b)| (a - b).abs());
-            Ok(channels.fold(0.0, f64::max))
+            Ok(difference(&colour, &moved))
         };
         let (a, b) = (change(STEP * right)?, change(STEP * up)?);
         let amplified = (a * a + b * b).sqrt() / STEP * U;
         let nudges = [right, -right, up, -up].map(|across| REACH * U * across);
         let moved = nudges.into_iter().map(change).collect::<Result<Vec<_>, _>>()?;
-        Ok((amplified, moved.into_iter().fold(0.0, f64::max)))
+        Ok((amplified, moved.into_iter().fold(0.0, larger)))
     };
     let pixels = each_pixel(view, pixel).into_iter().collect::<Result<Vec<_>, _>>()?;
     let (amplified, moved) = pixels.into_iter().unzip();
     Ok(Condition { width: view.crop().width, height: view.crop().height, amplified, moved })
-}
-
-/// A pixel's eye ray; that of its first sub-sample.
-fn direction(scene: &Scene, view: &View, x: u32, y: u32) -> DVec3 {
-    let camera = &scene.camera;
-    let ahead = DVec3::from_array(camera.look_at) - DVec3::from_array(camera.position);
-    let ahead = ahead.normalize();
-    let side = ahead.cross(DVec3::from_array(camera.up)).normalize();
-    let h = (camera.fov.to_radians() / 2.0).tan();
-    let wide = h * f64::from(scene.image.width) / f64::from(scene.image.height);
-    let through =
-        view.column::<f64>(x, 0) * wide * side + view.row::<f64>(y, 0) * h * side.cross(ahead);
-    (ahead + through).normalize()
 }
 
 /// Compares a map with what a picture got wrong.
@@ -149,7 +139,11 @@ const COLUMNS: &[Column] = &[
         heading: "Foretold",
         meaning: "Of the wrong pixels, those whose error is at most 4 times their value.",
     },
-    Column { key: "recall", heading: "Recall", meaning: "Foretold over wrong, 0 to 1." },
+    Column {
+        key: "recall",
+        heading: "Recall",
+        meaning: "Foretold over wrong, 0 to 1; the share of wrong pixels that the map foretold.",
+    },
     Column {
         key: "flagged",
         heading: "Flagged",
@@ -174,7 +168,7 @@ pub fn table(pictures: &[(String, &'static str, Foretold)]) -> Table {
             (*map).into(),
             found.wrong.into(),
             found.foretold.into(),
-            found.recall().into(),
+            found.recall().map_or("no wrong pixel".into(), Cell::from),
             found.flagged.into(),
             found.precision().into(),
         ]);
@@ -182,18 +176,21 @@ pub fn table(pictures: &[(String, &'static str, Foretold)]) -> Table {
     table
 }
 
-/// The map as a picture: the logarithm of `moved`, from 1e-8 (dark) to 1 (bright), in viridis.
+/// Both maps as pictures, `amplified` first: the logarithm from 1e-8 (dark) to 1 (bright), in
+/// viridis.
 #[must_use]
-pub fn picture(scene: &str, condition: &Condition, zoom: u32) -> Picture {
+pub fn pictures(scene: &str, condition: &Condition, zoom: u32) -> [Picture; 2] {
     let colour = |value: &f64| shade::viridis((value.log10() + 8.0) / 8.0);
-    Picture {
-        name: format!("condition-{scene}"),
-        caption: "How far a pixel's colour may move, from 1e-8 (dark) to 1 (bright), by powers of \
-                  ten."
-            .to_owned(),
+    let maps = [
+        (AMPLIFIED, "the derivative of its colour by the eye ray, times u", &condition.amplified),
+        (MOVED, "the largest change of its colour within 4 u, edges too", &condition.moved),
+    ];
+    maps.map(|(map, what, values)| Picture {
+        name: format!("condition-{scene}-{map}"),
+        caption: format!("{scene}, {map}: of each pixel {what}; from 1e-8 (dark) to 1 (bright), by powers of ten."),
         width: condition.width,
         height: condition.height,
-        pixels: condition.moved.iter().map(colour).collect(),
+        pixels: values.iter().map(colour).collect(),
         zoom,
-    }
+    })
 }

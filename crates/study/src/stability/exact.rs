@@ -5,9 +5,6 @@ use catoptric_scene::DoubleDouble;
 /// A vector in double-double.
 pub(crate) type Vector = [DoubleDouble; 3];
 
-/// 2^-24: half an ulp of 1 in f32.
-pub(crate) const U: f64 = 1.0 / 16_777_216.0;
-
 /// A vector of f64, exact.
 pub(crate) fn vector(v: [f64; 3]) -> Vector {
     v.map(DoubleDouble::from)

@@ -7,7 +7,7 @@ use catoptric_scene::{Scene, View};
 
 use super::agreement::{self, Agreement, COMPARED};
 use super::causes::{self, Causes};
-use super::condition::{self, Foretold};
+use super::condition::{self, AMPLIFIED, Foretold, MOVED};
 use super::input::{self, InputRounding};
 use crate::Watch;
 use crate::formula::Formula;
@@ -31,9 +31,10 @@ struct Followed {
 pub(crate) fn own_subjects() -> Vec<Subject> {
     let workshop = super::cases::scenes::workshop(320, 240, 8, 0.3);
     let mut kissing = Kissing::default().draft().expect("in range");
-    (kissing.image.width, kissing.image.height) = (160, 120);
+    (kissing.image.width, kissing.image.height) = (320, 240);
     kissing.render.max_depth = 32;
-    let mut room = Room { balls: 3, ..Room::default() }.draft().expect("in range");
+    // Mirrors that keep what they show: else no error of a late reflection is ever seen.
+    let mut room = Room { balls: 3, reflect: 0.97, ..Room::default() }.draft().expect("in range");
     (room.image.width, room.image.height) = (80, 60);
     room.render.max_depth = 64;
     [("workshop", workshop), ("kissing", kissing), ("closed-room", room)]
@@ -74,8 +75,9 @@ pub(crate) fn add(report: &mut Report, subjects: &[Subject], watch: &dyn Watch) 
     report.heading("What each pixel can be known to");
     report.text(
         "The condition map shows how far truth's own colour moves when its eye ray does by one \
-         rounding of f32: the derivative alone, and with the edges within reach. It is made \
-         without trying f32, and foretells where f32 is wrong.",
+         rounding of f32: amplified is the derivative alone, times u; moved is the largest change \
+         within 4 u, with the edges within reach. It is made without trying f32, and foretells \
+         where f32 is wrong: a pixel counts as foretold if its error is at most 4 times the map.",
     );
     report.table(condition::table(&followed.foretold));
     report.pictures(followed.maps);
@@ -91,11 +93,19 @@ impl Followed {
         self.plots.push(agreement::plot(name, &agreement));
         self.agreements.push((name.clone(), agreement));
 
+        let map = condition::condition(scene, &view)?;
+        let zoom = if map.width <= 160 { 3 } else { 2 };
+        self.maps.extend(condition::pictures(name, &map, zoom));
+
         for formula in Formula::F32 {
             let scene = formula.scene(scene);
             let Ok(found) = formula.picture(&scene) else { continue };
             let named = format!("{name}, {}", formula.name());
             self.causes.push((named.clone(), causes::causes(&scene, &view, &found, &truth)));
+            for (name, values) in [(AMPLIFIED, &map.amplified), (MOVED, &map.moved)] {
+                let foretold = condition::foretold(values, &found, &truth);
+                self.foretold.push((named.clone(), name, foretold));
+            }
             if formula == Formula::TextbookF32 {
                 continue;
             }
@@ -103,15 +113,6 @@ impl Followed {
             if let Ok(input) = input::input_rounding(&scene, &view, &found, &truth) {
                 self.inputs.push((named, input));
             }
-            let map = condition::condition(&scene, &view)?;
-            let foretold = condition::foretold(&map.amplified, &found, &truth);
-            self.foretold.push((name.clone(), "derivative", foretold));
-            let foretold = condition::foretold(&map.moved, &found, &truth);
-            self.foretold.push((name.clone(), "with edges", foretold));
-            let zoom = if map.width <= 160 { 3 } else { 2 };
-            let mut picture = condition::picture(name, &map, zoom);
-            picture.caption = format!("{name}. {}", picture.caption);
-            self.maps.push(picture);
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use catoptric_reference::{double, path, trace};
 use catoptric_scene::{Compiled, Draft};
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
 use super::exact::{narrow, widen};
 use crate::formula::Formula;
@@ -14,7 +14,8 @@ pub(crate) enum Rays {
 }
 
 /// Where a ray starts, where it goes, and the primitive that it leaves. For a formula in f32
-/// the numbers are rounded to f32.
+/// the numbers are rounded to f32. The formulas take the direction for a unit vector: it is one
+/// up to its rounding.
 #[derive(Clone, Copy)]
 pub(crate) struct Start {
     pub(crate) origin: [f64; 3],
@@ -46,9 +47,8 @@ impl Rays {
     }
 
     /// The first hit of a ray that leaves no surface.
-    pub(crate) fn first(&self, origin: Vec3, direction: Vec3) -> Option<Met> {
-        let start = Start { origin: widen(origin), direction: widen(direction), left: None };
-        self.follow(start).into_iter().next()
+    pub(crate) fn first(&self, origin: [f64; 3], direction: [f64; 3]) -> Option<Met> {
+        self.follow(Start { origin, direction, left: None }).into_iter().next()
     }
 
     /// Everything that a ray meets.

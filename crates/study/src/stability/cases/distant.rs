@@ -2,9 +2,8 @@
 
 use catoptric_scene::family::Draws;
 use catoptric_scene::{Draft, Sphere};
-use glam::Vec3;
 
-use super::super::exact::{Meeting, U, between, narrow, vector, widen};
+use super::super::exact::{Meeting, between, vector};
 use super::super::generic::{PLACE, across, along, direction, norm, unit};
 use super::super::rays::Rays;
 use super::super::suite::{Effort, Finding, Findings};
@@ -33,21 +32,26 @@ fn ball(radius: f64, distance: f64, seed: u64) -> Draft {
     draft
 }
 
-/// A ray rounded to f32 that passes the ball's centre at about `miss`. From the eye, or from
-/// somewhere within `spread` of it.
-fn aimed(draws: &mut Draws, draft: &Draft, miss: f64, spread: f64) -> (Vec3, Vec3, Meeting) {
+/// A ray in the formula's arithmetic that passes the ball's centre at about `miss`, and how it
+/// meets exactly. From the eye, or from somewhere within `spread` of it.
+fn aimed(
+    formula: Formula,
+    draws: &mut Draws,
+    draft: &Draft,
+    [miss, spread]: [f64; 2],
+) -> ([f64; 3], [f64; 3], Meeting) {
     let Sphere { center, radius, .. } = draft.spheres[0];
     let away = spread * draws.unit();
-    let origin = narrow(direction(draws).map(|x| x * away));
-    let to_center = std::array::from_fn(|i| center[i] - PLACE[i] - widen(origin)[i]);
+    let origin = formula.rounded(direction(draws).map(|x| x * away));
+    let to_center = std::array::from_fn(|i| center[i] - PLACE[i] - origin[i]);
     let distance = norm(to_center);
     let forward = unit(to_center);
     let aside = across(draws, forward);
     // Through the point of the plane across the centre whose ray passes at `miss`.
     let slant = miss / (distance * distance - miss * miss).sqrt();
-    let d = narrow(unit(along(forward, aside, slant)));
+    let d = formula.rounded(unit(along(forward, aside, slant)));
     let center = between(center, PLACE);
-    let meeting = Meeting::new(vector(widen(origin)), vector(widen(d)), center, radius);
+    let meeting = Meeting::new(vector(origin), vector(d), center, radius);
     (origin, d, meeting)
 }
 
@@ -69,7 +73,7 @@ fn silhouettes(
             let draft = ball(radius, 1.234 * distance, 7);
             let rays = Rays::new(formula, &draft);
             let draws = &mut Draws::new(8);
-            let unit = U * 1.234 * distance;
+            let unit = formula.u() * 1.234 * distance;
             let mut wrong = 0_u64;
             for index in 0..effort.rays {
                 // Half about the rim as rounding sees it, half anywhere up to three radii.
@@ -79,7 +83,7 @@ fn silhouettes(
                     draws.between(0.0, 3.0 * radius)
                 };
                 let spread = if index % 4 < 2 { 0.0 } else { 0.1 * distance };
-                let (origin, d, meeting) = aimed(draws, &draft, miss, spread);
+                let (origin, d, meeting) = aimed(formula, draws, &draft, [miss, spread]);
                 let hit = rays.first(origin, d).is_some();
                 if hit != meeting.distance.is_some() {
                     worst = worst.max(meeting.passes.abs() / unit);
@@ -116,8 +120,8 @@ fn grazing(effort: Effort, findings: &mut Findings) {
             for index in 0..effort.rays {
                 let side = if index % 2 == 0 { 1.0 + share } else { 1.0 - share };
                 let spread = if index % 4 < 2 { 0.0 } else { 3.0 };
-                let (origin, d, meeting) = aimed(draws, &draft, RADIUS * side, spread);
-                let unit = U * DISTANCE;
+                let (origin, d, meeting) = aimed(formula, draws, &draft, [RADIUS * side, spread]);
+                let unit = formula.u() * DISTANCE;
                 match (rays.first(origin, d), meeting.distance) {
                     (Some(first), Some(exact)) => {
                         let error = (first.distance - exact.to_f64()).abs();

@@ -8,25 +8,44 @@ use super::super::suite::{Effort, Finding, Findings};
 use super::scenes::{empty_room, glossy, sized, workshop};
 use crate::formula::Formula;
 use crate::light::LightBounds;
-use crate::metrics::Metrics;
+use crate::metrics::{Metrics, difference};
 
 pub(crate) fn run(_: Effort) -> Vec<Finding> {
     let mut findings = Findings::new();
     for (case, tested, draft) in scenes() {
         let scene = Formula::RobustF32.scene(&draft);
-        let truth = Truth::new(&scene, Precision::DoubleDouble);
-        let truth = truth.render(&View::whole(&scene)).expect("paths that end soon").pixels;
+        let truth = truth_of(&scene);
+        let mut dark = draft.clone();
+        dark.lights.clear();
+        let dark = truth_of(&Formula::RobustF32.scene(&dark));
+        let lit = truth.iter().zip(&dark).filter(|(a, b)| a != b).count();
+        // A case of lamps in which no lamp lights anything would test nothing.
+        let unlit = lit == 0 && !draft.lights.is_empty() && !draft.spheres.is_empty();
         for formula in Formula::ALL {
             let found = formula.picture(&draft).expect("paths that end soon");
             let metrics = Metrics::of(&found, &truth);
             let outside = outside(&found, brightest(&formula.scene(&draft)));
-            let sentence =
-                format!("Largest error {:.1e}; {outside} pixels not in [0, B].", metrics.max);
-            let wrong = metrics.off_by_more + metrics.not_finite + outside;
-            findings.push(case, formula, tested, wrong as f64, sentence);
+            let off = match formula {
+                Formula::RobustF64 => {
+                    found.iter().zip(&truth).filter(|(a, b)| difference(a, b) > 1e-9).count() as u64
+                }
+                _ => metrics.off_by_more,
+            };
+            let sentence = format!(
+                "Largest error {:.1e}; {outside} pixels not in [0, B]; lamps light {lit} pixels.",
+                metrics.max
+            );
+            let wrong = (off + metrics.not_finite + outside) as f64;
+            let wrong = if unlit { f64::INFINITY } else { wrong };
+            findings.push(case, formula, tested, wrong, sentence);
         }
     }
     findings.done()
+}
+
+fn truth_of(scene: &Scene) -> Vec<[f64; 3]> {
+    let truth = Truth::new(scene, Precision::DoubleDouble);
+    truth.render(&View::whole(scene)).expect("paths that end soon").pixels
 }
 
 /// B: the most that a pixel can hold, by channel.
@@ -76,6 +95,9 @@ fn scenes() -> Vec<(&'static str, &'static str, Draft)> {
         let mut draft = ball();
         draft.spheres =
             vec![Sphere { center: [0.0, -4.0, -3.0], radius: 5.0, material: glossy(0.5) }];
+        // Something to see and to light, outwards.
+        let center = [0.57, 5.03, 4.11];
+        draft.spheres.push(Sphere { center, radius: 1.0, material: glossy(0.3) });
         draft.camera.look_at = [0.3, 4.0 * toward, 3.0 * toward];
         draft.camera.up = [1.0, 0.0, 0.0];
         draft
@@ -88,6 +110,10 @@ fn scenes() -> Vec<(&'static str, &'static str, Draft)> {
     let mut lamp_at_hit = ball();
     lamp_at_hit.spheres[0].center = [0.0, 0.0, -5.0];
     lamp_at_hit.lights[0].position = [0.0, 0.0, -3.0];
+    // Nearer than that point, so that its lamp lights something: the other ball.
+    lamp_at_hit.spheres[1].center = [-0.63, -0.47, -2.21];
+    lamp_at_hit.spheres[1].radius = 0.31;
+    lamp_at_hit.lights.push(ball().lights[0]);
     lamp_at_hit.camera.look_at = [0.0, 0.0, -1.0];
     let lamp_at_hit = sized(lamp_at_hit, 47, 35, 8);
     vec![
@@ -118,13 +144,13 @@ fn scenes() -> Vec<(&'static str, &'static str, Draft)> {
         ),
         (
             "lamp inside a ball",
-            "a lamp inside one of two mirror balls",
-            with(|d| d.lights[0].position = [0.5, 0.9, -4.9]),
+            "a lamp inside one of two mirror balls, which hides it, and another lamp",
+            with(|d| d.lights.push(Light { position: [0.5, 0.9, -4.9], intensity: [0.7; 3] })),
         ),
         ("lamp on a ball", "a lamp exactly on a ball", lamp_on),
         (
             "lamp at the hit point",
-            "a lamp exactly at the point that the middle pixel sees",
+            "a lamp exactly at the point that the middle pixel sees, and another lamp",
             lamp_at_hit,
         ),
         ("lamp at the eye", "a lamp at the eye", with(|d| d.lights[0].position = [0.0; 3])),

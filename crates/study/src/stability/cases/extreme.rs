@@ -39,14 +39,14 @@ pub(crate) fn run(effort: Effort) -> Vec<Finding> {
     let seeds = (0..effort.scenes).into_par_iter();
     let outcome = seeds.map(one).reduce(Outcome::default, Outcome::add);
     let tested = format!(
-        "{} generated scenes: coordinates to 1e15, radii 1e-12 to 1e12, ends of every range, odd numbers, 3x1 or 2x2 pixels, depth at most 8",
+        "{} generated drafts: coordinates to 1e15, radii 1e-12 to 1e12, ends of every range, odd numbers, 3x1 or 2x2 pixels, depth at most 8",
         effort.scenes
     );
     let mut findings = Findings::new();
     for (formula, of) in Formula::ALL.into_iter().zip(outcome.of) {
         let rendered = format!(
-            "{} refused by name, {} rendered, {} of them see a surface.",
-            outcome.refused, of.rendered, of.hits
+            "Of {} drafts {} are refused by name and {} rendered; {} of these see a surface.",
+            effort.scenes, outcome.refused, of.rendered, of.hits
         );
         let first = of.first.map_or_else(String::new, |seed| format!(" First: scene {seed}."));
         let sentence = format!("{rendered}{first}");

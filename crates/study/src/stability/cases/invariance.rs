@@ -1,12 +1,15 @@
 //! What must change nothing: moving the scene, scaling it, stating every surface twice.
 
+use catoptric_reference::truth::{Precision, Truth};
 use catoptric_scene::family::Room;
-use catoptric_scene::{Compiled, Draft, Film, Grid, Material, View};
+use catoptric_scene::{Compiled, Draft, Film, Grid, Material, Scene, View};
 
 use super::super::generic::{along, placed, points};
 use super::super::suite::{Effort, Finding, Findings};
 use super::scenes::{sized, workshop};
-use crate::formula::Formula;
+use crate::formula::{Formula, pixels};
+use crate::metrics::larger;
+use crate::tracer::{Renders, Tracer};
 
 pub(crate) fn run(_: Effort) -> Vec<Finding> {
     let mut findings = Findings::new();
@@ -19,13 +22,13 @@ pub(crate) fn run(_: Effort) -> Vec<Finding> {
 fn moved(findings: &mut Findings) {
     const CASES: [(&str, f64); 3] =
         [("moved by 1e2", 1e2), ("moved by 1e4", 1e4), ("moved by 1e6", 1e6)];
-    let draft = workshop(320, 240, 8, 0.3);
+    let draft = placed(&workshop(320, 240, 8, 0.3));
     for formula in Formula::ALL {
         let unmoved = formula.picture(&draft).expect("depth 8");
         for (case, distance) in CASES {
             let shift = [1.234_567, -1.076_543, 1.357_911].map(|x| x * distance);
             let tested = format!(
-                "the workshop's scene (320x240, depth 8, ground k 0.3) moved by ({}, {}, {})",
+                "the workshop's scene (320x240, depth 8, ground k 0.3), turned, moved by ({}, {}, {})",
                 shift[0], shift[1], shift[2]
             );
             let mut draft = draft.clone();
@@ -33,7 +36,7 @@ fn moved(findings: &mut Findings) {
             let picture = formula.picture(&draft).expect("depth 8");
             let pairs = picture.as_flattened().iter().zip(unmoved.as_flattened());
             let differences = pairs.map(|(a, b)| (a - b).abs());
-            let most = differences.fold(0.0, |m: f64, x| if x <= m { m } else { x });
+            let most = differences.fold(0.0, larger);
             let off = picture.iter().zip(&unmoved).filter(|(a, b)| a != b).count();
             let sentence = format!("{off} of {} pixels differ at all.", picture.len());
             findings.push(case, formula, &tested, most, sentence);
@@ -44,65 +47,78 @@ fn moved(findings: &mut Findings) {
 /// Powers of two change no bit of any operation, only exponents.
 fn scaled(findings: &mut Findings) {
     const CASE: &str = "scaled by powers of two";
-    const EXPONENTS: [i32; 8] = [-20, -13, -7, -1, 1, 7, 13, 20];
-    let tested = "the workshop's scene (160x120, depth 8, ground k 0.3), turned, scaled by 2^-20, 2^-13, 2^-7, 2^-1, 2, 2^7, 2^13, 2^20; in f32 by both engines";
-    let draft = placed(&workshop(160, 120, 8, 0.3));
+    let tested = "the workshop's scene (80x60, depth 8, ground k 0.3), turned, scaled by each power of two from 2^-20 to 2^20; by both engines";
+    let draft = placed(&workshop(80, 60, 8, 0.3));
     for formula in Formula::ALL {
         let as_stated = both(formula, &draft);
-        let mut off = Vec::new();
-        for exponent in EXPONENTS {
+        let off = (-20..=20).map(|exponent| {
             let factor = f64::from(exponent).exp2();
             let mut draft = draft.clone();
             points(&mut draft, |x| x.map(|x| x * factor));
             draft.spheres.iter_mut().for_each(|sphere| sphere.radius *= factor);
-            let found = both(formula, &draft);
-            let pairs = found.iter().zip(&as_stated);
-            off.push(pairs.filter(|(a, b)| a.map(f64::to_bits) != b.map(f64::to_bits)).count());
-        }
-        let each = off.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
-        let sum = off.iter().sum::<usize>() as f64;
-        findings.push(CASE, formula, tested, sum, format!("Pixels by factor: {each}."));
+            (exponent, differing(&both(formula, &draft), &as_stated))
+        });
+        let off: Vec<(i32, usize)> = off.filter(|(_, pixels)| *pixels > 0).collect();
+        let sum = off.iter().map(|(_, pixels)| pixels).sum::<usize>() as f64;
+        let sentence = match off.first() {
+            None => "The same bits at each of 41 scales.".to_owned(),
+            Some((exponent, _)) => format!("At {} scales, first at 2^{exponent}.", off.len()),
+        };
+        findings.push(CASE, formula, tested, sum, sentence);
     }
 }
 
-/// The pictures of all engines, one after the other.
+/// The pictures of both engines, one after the other.
 fn both(formula: Formula, draft: &Draft) -> Vec<[f64; 3]> {
-    let mut pixels = formula.picture(draft).expect("depth 8");
-    if formula != Formula::RobustF64 {
-        let scene = formula.scene(draft);
-        let grid = Grid::new(&View::whole(&scene));
-        let mut film = Film::new(grid.width, grid.height);
-        let compiled = Compiled::new(&scene);
-        catoptric_reference::render(&compiled, &grid, &mut film, &|_| ()).expect("depth 8");
-        pixels.extend(crate::metrics::widened(film.pixels()));
+    fn recursion<S: Renders>(scene: &Scene) -> Vec<[f64; 3]> {
+        let grid = Grid::of(&View::whole(scene));
+        let mut film: Film<S> = Film::black(grid.width, grid.height);
+        Tracer::Recursive.render(&Compiled::of(scene), &grid, &mut film).expect("depth 20");
+        pixels(&film)
     }
-    pixels
+    let mut both = formula.picture(draft).expect("depth 20");
+    let scene = formula.scene(draft);
+    both.extend(match formula {
+        Formula::RobustF64 => recursion::<f64>(&scene),
+        Formula::TextbookF32 | Formula::RobustF32 => recursion::<f32>(&scene),
+    });
+    both
 }
 
 /// The lowest index is seen, so a second statement in another colour never shows.
 fn twice(findings: &mut Findings) {
     const CASE: &str = "coincident surfaces";
-    let tested = "the workshop's scene and a closed room with five balls (80x60, depth 20), turned; every surface stated again in another colour";
+    let tested = "the workshop's scene and a closed room with five balls (80x60, depth 20), turned; every surface stated again in another colour; by both engines and by truth";
     let room = Room::default().draft().expect("the defaults are in range");
-    for formula in Formula::ALL {
-        let mut off = [0; 2];
-        for (of_scene, once) in [workshop(80, 60, 20, 0.3), room.clone()].iter().enumerate() {
-            let once = sized(placed(once), 80, 60, 20);
-            let mut doubled = once.clone();
-            doubled.spheres.extend(once.spheres.iter().rev().copied());
-            for sphere in &mut doubled.spheres[once.spheres.len()..] {
-                sphere.material = Material::matt([9.0, 0.0, 9.0]);
-            }
-            let found = picture_bits(formula, &doubled);
-            let pairs = found.iter().zip(picture_bits(formula, &once));
-            off[of_scene] = pairs.filter(|(a, b)| **a != *b).count();
+    let scenes = [workshop(80, 60, 20, 0.3), room].map(|once| {
+        let once = sized(placed(&once), 80, 60, 20);
+        let mut doubled = once.clone();
+        doubled.spheres.extend(once.spheres.iter().rev().copied());
+        for sphere in &mut doubled.spheres[once.spheres.len()..] {
+            sphere.material = Material::matt([9.0, 0.0, 9.0]);
         }
-        let sentence = format!("Pixels that differ: workshop {}, room {}.", off[0], off[1]);
-        findings.push(CASE, formula, tested, (off[0] + off[1]) as f64, sentence);
+        [once, doubled]
+    });
+    let truth = |draft: &Draft| {
+        let scene = Formula::RobustF32.scene(draft);
+        let truth = Truth::new(&scene, Precision::DoubleDouble);
+        truth.render(&View::whole(&scene)).expect("depth 20").pixels
+    };
+    let of_truth = scenes.each_ref().map(|[once, again]| differing(&truth(once), &truth(again)));
+    for formula in Formula::ALL {
+        let [workshop, room] = scenes
+            .each_ref()
+            .map(|[once, again]| differing(&both(formula, once), &both(formula, again)));
+        let sentence = format!(
+            "Pixels that differ: workshop {workshop}, room {room}; of truth {} and {}.",
+            of_truth[0], of_truth[1]
+        );
+        let sum = workshop + room + of_truth[0] + of_truth[1];
+        findings.push(CASE, formula, tested, sum as f64, sentence);
     }
 }
 
-fn picture_bits(formula: Formula, draft: &Draft) -> Vec<[u64; 3]> {
-    let pixels = formula.picture(draft).expect("depth 20");
-    pixels.iter().map(|pixel| pixel.map(f64::to_bits)).collect()
+/// Pixels with other bits.
+fn differing(a: &[[f64; 3]], b: &[[f64; 3]]) -> usize {
+    a.iter().zip(b).filter(|(a, b)| a.map(f64::to_bits) != b.map(f64::to_bits)).count()
 }

@@ -2,6 +2,9 @@
 
 use catoptric_scene::{Document, Draft, Light, Material, SceneFormat, Sphere};
 
+use super::super::amplification::Orbit;
+use super::super::generic::along;
+
 const WORKSHOP: &str = include_str!("../../../../../scenes/workshop.toml");
 
 /// The workshop's scene, its ground a mirror of factor `ground`.
@@ -36,18 +39,17 @@ pub(crate) fn glossy(k: f64) -> Material {
     }
 }
 
-/// Balls of radius 1 about these centres, seen from `eye`, under a bright sky.
-pub(crate) fn balls(centers: &[[f64; 3]], k: f64, eye: [f64; 3], max_depth: u32) -> Draft {
-    let mut draft = Draft::default();
-    draft.camera.position = eye;
-    draft.camera.look_at = [0.03, 0.05, -0.02];
-    draft.camera.up = [0.1, 1.0, 0.2];
-    draft.camera.fov = 35.0;
+/// Seen from between balls, along an orbit that rays follow as long as f64 can aim them, with
+/// a field of view of `degrees`; under a bright sky.
+pub(crate) fn between_balls(orbit: &Orbit, degrees: f64, k: f64, max_depth: u32) -> Draft {
+    let aimed = orbit.aimed(3, max_depth as usize);
+    let mut draft = aimed.scene.into_draft();
+    draft.camera.fov = degrees;
     draft.render.background = [0.3, 0.5, 0.7];
-    draft.lights.push(Light { position: [11.0, 13.0, 7.0], intensity: [0.8; 3] });
-    let ball = |&center: &[f64; 3]| Sphere { center, radius: 1.0, material: glossy(k) };
-    draft.spheres = centers.iter().map(ball).collect();
-    sized(draft, 80, 60, max_depth)
+    let eye = draft.camera.position;
+    draft.lights.push(Light { position: along(eye, [11.0, 13.0, 7.0], 1.0), intensity: [0.8; 3] });
+    draft.spheres.iter_mut().for_each(|sphere| sphere.material = glossy(k));
+    sized(draft, 40, 30, max_depth)
 }
 
 /// An empty mirror sphere of radius 10 around the eye, without lamps: each reflection adds

@@ -32,13 +32,13 @@ pub(crate) fn run(_: Effort) -> Vec<Finding> {
         let judge = Judge::new(&Formula::RobustF32.scene(&draft)).expect("depth 8");
         for formula in Formula::ALL {
             let picture = formula.picture(&draft).expect("depth 8");
-            let found = judge.judge(&picture).expect("depth 8");
+            let found = judge.judge_as(formula, &picture).expect("depth 8");
             let raw = format!(
                 "Raw error: largest {:.1e}, RMSE {:.1e}, {} levels differ at all.",
                 found.raw.max, found.raw.rmse, found.raw.off
             );
             findings.push(levels, formula, &tested, found.raw.off_by_more as f64, raw.clone());
-            let sentence = format!("By the eye ray; {}. {raw}", found.beside(found.by_input));
+            let sentence = format!("By all input {:.3}; {}. {raw}", found.by_input, found.beyond());
             findings.push(backward, formula, &tested, found.by_eye, sentence);
         }
     }
