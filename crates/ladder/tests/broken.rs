@@ -9,7 +9,7 @@ use glam::Vec3;
 use crate::comparison::{Difference, view};
 
 /// Which of picture, counts and logs differ on the workshop's scene.
-fn differs(rung: &Rung) -> [bool; 3] {
+pub(crate) fn differs(rung: &Rung) -> [bool; 3] {
     let (scene, grid) = view(&scenes::sized(&scenes::named("workshop"), 64, 48, 5), 1);
     let Difference { picture, counts, log } = Difference::new(rung, Isa::Portable, &scene, &grid);
     [picture.is_some(), counts.is_some(), log.is_some()]
