@@ -83,7 +83,7 @@ impl Axes {
 fn view(life: &Life, points: &[[f64; 3]]) -> Axes {
     let scene = life.scene.camera;
     let up = unit(scene.up);
-    let view: [f64; 3] = std::array::from_fn(|i| scene.look_at[i] - scene.position[i]);
+    let view = unit(std::array::from_fn(|i| scene.look_at[i] - scene.position[i]));
     // The view is not parallel to up: the scene's validation sees to that.
     let rise = dot(view, up);
     let forward = unit(std::array::from_fn(|i| view[i] - rise * up[i]));
@@ -141,12 +141,16 @@ fn caption(axes: &Axes, path: &Path, spheres: (usize, usize), planes: usize) -> 
         let _ = write!(words, " {} spheres are drawn, {more} more are not.", spheres.0);
     }
     if planes > 0 {
-        let _ = write!(words, " {planes} planes, neither hit nor seen edge on, are not drawn.");
+        let s = if planes == 1 { " is" } else { "s are" };
+        let _ = write!(words, " {planes} plane{s} not drawn, neither hit nor seen edge on.");
     }
     words
 }
 
+/// Scaled first, so that no square is lost.
 fn unit(v: [f64; 3]) -> [f64; 3] {
+    let largest = v.into_iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    let v = v.map(|x| x / largest);
     let length = dot(v, v).sqrt();
     v.map(|x| x / length)
 }

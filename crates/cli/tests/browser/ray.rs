@@ -39,7 +39,7 @@ fn the_last_step_of_a_ray_shows_the_rendered_pixel() {
     );
     // What a screen reader is told.
     let spoken = held(&opened.document, "id=\"spoken\"");
-    assert!(spoken.contains("0 calls, 0 levels on the stack"), "{spoken}");
+    assert!(spoken.contains("Calls: 0, levels on the stack: 0"), "{spoken}");
     assert!(spoken.contains(&linear), "{spoken}");
     assert!(opened.document.contains("pixel 8,5 is marked\" width=\"312\""), "24 times enlarged");
 }

@@ -186,12 +186,15 @@ fn the_path_is_drawn() {
     let folder = Folder::new();
     folder.done("generate kissing --max-depth 12 -o kissing.toml");
     folder.write("ground.toml", on_a_ball());
-    let (mut reflected, mut on_spheres) = (0, 0);
+    let far = SCENE.replace("[0.3, 0.5, 6]", "[1, 2, 80]").replace("fov = 40", "fov = 3");
+    folder.write("far.toml", far);
+    let [mut reflected, mut on_spheres, mut eyes_outside, mut named] = [0; 4];
     for (scene, x, y) in [
         ("scene.toml", 8, 5),
         ("scene.toml", 4, 5),
         ("scene.toml", 0, 0),
         ("ground.toml", 4, 5),
+        ("far.toml", 4, 5),
         ("kissing.toml", 320, 240),
         ("kissing.toml", 300, 220),
     ] {
@@ -209,9 +212,16 @@ fn the_path_is_drawn() {
         assert_eq!(legs.len(), count("call"), "{scene} {x},{y}");
         // The eye has one too.
         assert_eq!(dots.len(), count("hit") + 1, "{scene} {x},{y}");
+        let within = |x, y| (0.0..=640.0).contains(&x) && (0.0..=480.0).contains(&y);
         for leg in &legs {
-            let (x, y) = (attribute(leg, "x2"), attribute(leg, "y2"));
-            assert!((0.0..=640.0).contains(&x) && (0.0..=480.0).contains(&y), "{leg}");
+            assert!(within(attribute(leg, "x2"), attribute(leg, "y2")), "{leg}");
+        }
+        let outside = !within(attribute(dots[0], "cx"), attribute(dots[0], "cy"));
+        assert_eq!(page.contains("The eye is outside the drawing."), outside, "{scene} {x},{y}");
+        eyes_outside += usize::from(outside);
+        for (depth, hit) in steps.iter().filter(|step| step["recursion"] == "hit").enumerate() {
+            let name = format!(">{depth} {}<", hit["primitive"].as_str().expect("a name"));
+            named += usize::from(page.contains(&name));
         }
         let surfaces = of("sphere");
         let hits = steps.iter().filter(|step| step["recursion"] == "hit");
@@ -226,4 +236,5 @@ fn the_path_is_drawn() {
         reflected += legs.len() - 1;
     }
     assert!(reflected >= 8 && on_spheres >= 8, "{reflected}, {on_spheres}");
+    assert!(eyes_outside > 0 && named >= 8, "{eyes_outside}, {named}");
 }

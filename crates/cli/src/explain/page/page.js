@@ -108,7 +108,7 @@
     element("colour").dataset.levels = colour ? colour.levels.join(" ") : "";
     element("swatch").className = colour ? "swatch" : "swatch unknown";
     element("swatch").style.background = colour ? colour.css : "";
-    const waiting = `${levels(past.calls)} calls, ${levels(past.stack)} levels on the stack`;
+    const waiting = `Calls: ${levels(past.calls)}, levels on the stack: ${levels(past.stack)}`;
     const back = colour ? `colour ${colour.text}` : "no colour yet";
     element("spoken").textContent = `${element("status").textContent}. The recursion: ${element("recursion").textContent}. The engine: ${element("engine").textContent}. ${waiting}, ${back}.`;
     for (const part of drawn) {
