@@ -29,7 +29,7 @@ use life::Life;
 /// --pixel: every call, hit, fold and return of the recursion beside what the engine's stack
 /// does, with the numbers of both; a number that only one of them has is marked.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, KEYS].join("\n\n"))]
+#[command(after_help = EXAMPLES, after_long_help = [KEYS, EXAMPLES].join("\n\n"))]
 pub(crate) struct Options {
     /// Scene file; `-` reads stdin
     #[arg(value_name = "SCENE|-")]
