@@ -71,13 +71,15 @@ Keys of --pixel X,Y --json; points are relative to the eye, colours linear:
                          past the recursion's stack, r3 and r5
   engine_forms_weights   false without min_weight: weights are then the first
                          rung's alone
-  deepest, colour        reflections; the pixel, linear and in 8-bit levels
+  deepest                reflections behind the last ray
+  colour, levels         of the pixel, linear and as 8-bit levels
   steps[].recursion      call, hit, fold or return
   steps[].engine         ray, push, end or fold; null if nothing is done
     of a call            origin, direction, weight
     of a hit             primitive, distance, local, k, followed, and last:
-                         no_mirror, max_depth or min_weight; k is then the
-                         scene's, since the engine keeps none
+                         no_mirror, max_depth or min_weight, null if it is
+                         followed; k of a last hit is the scene's, since
+                         the engine keeps none
     of a fold            local, k, back, colour = local + k * back
     of a return          colour";
 
