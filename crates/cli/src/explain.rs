@@ -27,9 +27,9 @@ use life::Life;
 /// Without --pixel: what the scene has and needs, how deep its rays go, what capping them costs
 /// at most, and which max_depth is enough; the picture is rendered some times for that. With
 /// --pixel: every call, hit, fold and return of the recursion beside what the engine's stack
-/// does, with the numbers of both.
+/// does, with the numbers of both; a number that only one of them has is marked.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = [KEYS, EXAMPLES].join("\n\n"))]
 pub(crate) struct Options {
     /// Scene file; `-` reads stdin
     #[arg(value_name = "SCENE|-")]
@@ -54,6 +54,34 @@ Examples:
   catoptric explain scenes/workshop.toml --pixel 494,200
   catoptric explain scenes/kissing.toml --pixel 320,240 --html ray.html
   catoptric explain scenes/workshop.toml --json";
+
+const KEYS: &str = "\
+Keys of --json, always all there; null where there is no value:
+  schema, version        catoptric-explain; grows when a key changes or goes
+  has, needs             primitives, mirrors, highlights, lamps; kinds of rays
+  plan                   what the engine leaves out, and why that is safe
+  rays                   by kind and by depth, as render --stats counts them;
+                         deepest, and end: where they end without max_depth
+  caps                   for smaller max_depth, the largest error of a channel
+  enough                 the smallest max_depth with the same bits, or levels
+
+Keys of --pixel X,Y --json; points are relative to the eye, colours linear:
+  schema, version        catoptric-explain-pixel
+  rungs                  whose accounts they are: r0 and r5 of the ladder, or,
+                         past the recursion's stack, r3 and r5
+  engine_forms_weights   false without min_weight: weights are then the first
+                         rung's alone
+  deepest                reflections behind the last ray
+  colour, levels         of the pixel, linear and as 8-bit levels
+  steps[].recursion      call, hit, fold or return
+  steps[].engine         ray, push, end or fold; null if nothing is done
+    of a call            origin, direction, weight
+    of a hit             primitive, distance, local, k, followed, and last:
+                         no_mirror, max_depth or min_weight, null if it is
+                         followed; k of a last hit is the scene's, since
+                         the engine keeps none
+    of a fold            local, k, back, colour = local + k * back
+    of a return          colour";
 
 /// A pixel of the image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -59,7 +59,7 @@ impl Target {
             }
             Ok(found) if !found.is_file() || is_open_file(path) => Place::Direct(path.to_owned()),
             Ok(found) if found.permissions().readonly() => {
-                return refuse(&"the file is write-protected; name another one with -o");
+                return refuse(&"the file is write-protected; name another one");
             }
             Ok(_) => Place::Beside(fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())),
             Err(error) if error.kind() == ErrorKind::NotFound => Place::Beside(behind_links(path)),
@@ -145,8 +145,8 @@ impl Target {
     fn not_written(&self, error: &io::Error) -> Failure {
         let advice = match error.kind() {
             ErrorKind::BrokenPipe => "whatever reads it has gone",
-            ErrorKind::StorageFull => "make room, or write to another place with -o",
-            ErrorKind::PermissionDenied => "write to another place with -o",
+            ErrorKind::StorageFull => "make room, or write to another place",
+            ErrorKind::PermissionDenied => "write to another place",
             _ => "nothing was kept",
         };
         Failure::not_written(format_args!("{} cannot be written: {error}; {advice}", self.name))

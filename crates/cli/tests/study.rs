@@ -132,6 +132,11 @@ fn every_rung_of_the_ladder_is_checked_and_timed() {
         assert!(row["rung"] == "forward" || row["bit_identical"] == "yes", "{row}");
         assert_eq!(row["runs"], 2);
         assert!(number(row, "lines") > 5.0 && number(row, "ns_per_ray") > 0.0, "{row}");
+        let (native, own) = (number(row, "native_stack_bytes"), number(row, "own_stack_bytes"));
+        // The scene's deepest path has four mirrors.
+        assert_eq!(own, 4.0 * number(row, "level_bytes"), "{row}");
+        assert!(native > 0.0 && number(row, "peak_stack_bytes") == native + own, "{row}");
+        assert!(row["note"].is_null(), "{row}");
         let over = |other: &Value| number(other, "min_ms") / number(row, "min_ms");
         assert!((number(row, "over_r0") / over(&all[0]) - 1.0).abs() < 1e-9, "{row}");
         match i {
@@ -142,6 +147,8 @@ fn every_rung_of_the_ladder_is_checked_and_timed() {
             }
         }
     }
+    let native = |i: usize| number(&all[i], "native_stack_bytes");
+    assert!(native(1) > native(0), "continuations take more than calls");
     assert_eq!(ran.json()["made"]["threads"], 1);
 }
 
@@ -154,18 +161,29 @@ fn deep_paths_show_which_rungs_stand_on_the_native_stack() {
         let grows = ["r0", "r1", "r2"].contains(&row["rung"].as_str().expect("a name"));
         let bytes = row["native_stack_bytes"].as_u64().expect("a number");
         assert_eq!(bytes > 3000 * 100, grows, "{row}");
-        assert!(grows || bytes < 4096, "{row}");
+        assert!(grows || bytes < 32 << 10, "{row}");
+        let [own, level] = ["own_stack_bytes", "level_bytes"].map(|key| row[key].as_u64());
+        assert_eq!(own, level.map(|level| 3000 * level), "{row}");
     }
     // Associativity fails for most of such sums.
     assert_eq!(rows[6]["bit_identical"], "no");
 
     folder.done("generate room --reflect 1 --width 1 --height 1 --max-depth 100001 -o room.toml");
-    let rows = self::rows(&folder.done("study ladder room.toml --repeat 1 --json"));
+    let ran = folder.done("study ladder room.toml --repeat 1 --json");
+    let rows = self::rows(&ran);
     for row in &rows[..3] {
         assert!(row["min_ms"].is_null() && row["bit_identical"].is_null(), "{row}");
         assert_eq!(row["note"], "a path is deeper than its stack");
     }
-    assert!(rows[3..6].iter().all(|row| row["bit_identical"] == "yes"), "{rows:?}");
+    // Nobody can be compared with the recursion then, and r3 not with itself.
+    assert!(rows[3]["bit_identical"].is_null() && rows[3]["note"].is_null(), "{}", rows[3]);
+    for row in &rows[4..] {
+        assert_eq!(row["bit_identical"] == "yes", row["rung"] != "forward", "{row}");
+        let note = row["note"].as_str().expect("a note");
+        assert_eq!(note, "compared with r3: the recursion's stack does not hold a path");
+    }
+    let notes = ran.json()["notes"].to_string();
+    assert!(notes.contains("are compared with r3"), "{notes}");
 }
 
 #[test]

@@ -21,6 +21,9 @@ pub struct Level<S = f32> {
     pub origin: [S; 3],
     /// Where it goes.
     pub direction: [S; 3],
+    /// The product of the mirror factors on the way; `None` without a cut by weight, where the
+    /// engine forms none.
+    pub weight: Option<S>,
     /// Index of the primitive that it met, and how far along the ray.
     pub met: Option<(u32, S)>,
     /// What was put on the stack: the light from there, or the background.
@@ -99,7 +102,8 @@ impl Kernel for Watched<'_, '_> {
         let wave = &mut self.work.waves[0];
         wave.clear();
         wave.push_eye(unit(Vec3::splat(eye.forward) + across + up), 1);
-        let mut first = First { watch: self.watch, owed: None };
+        let cut = self.world.scene.min_weight > 0.0;
+        let mut first = First { watch: self.watch, cut, owed: None };
         trace::<L>(self.world, self.work, self.stack, &mut first)?;
         Ok(first_lane(&self.stack.level()[0].colour))
     }
@@ -130,6 +134,8 @@ impl<S: Lane> Observe<S> for () {
 /// Watches the first lane.
 struct First<'a, S> {
     watch: &'a mut dyn Watch<S>,
+    /// Whether weights are formed.
+    cut: bool,
     /// What is about to be folded; its colour is still that before.
     owed: Option<Fold<S>>,
 }
@@ -137,11 +143,13 @@ struct First<'a, S> {
 impl<S: Lane> Observe<S> for First<'_, S> {
     #[inline(always)]
     fn level(&mut self, work: &Work<S>, stack: &Stack<S>, next: usize) {
-        let rays = work.waves[wave_of(stack.depth())].packet(0);
+        let wave = &work.waves[wave_of(stack.depth())];
+        let rays = wave.packet(0);
         let (index, distance) = (work.nearest[0].index[0].to_index(), work.nearest[0].distance[0]);
         self.watch.level(Level {
             origin: first_lane(&rays.origin),
             direction: first_lane(&rays.direction),
+            weight: if self.cut { Some(wave.weight(0)[0]) } else { None },
             met: (index != NONE).then_some((index, distance)),
             local: first_lane(&stack.level()[0].colour),
             k: if next > 0 { stack.next()[0].k[0] } else { S::ZERO },

@@ -21,8 +21,9 @@ pub enum Event {
         origin: Vec3,
         /// Where it goes; |direction| is 1.
         direction: Vec3,
-        /// The product of the mirror factors on the way.
-        weight: f32,
+        /// The product of the mirror factors on the way. `None` where the rung forms none: the
+        /// engine does so only for a cut by weight, a `min_weight` above 0.
+        weight: Option<f32>,
     },
     /// It meets a primitive.
     Hit {
@@ -72,12 +73,33 @@ impl Event {
         depth
     }
 
+    /// Whether two rungs say the same: equal, but that one of them may form no weight.
+    #[must_use]
+    pub fn agrees(&self, other: &Self) -> bool {
+        let formed = |event: &Self| !matches!(event, Self::Call { weight: None, .. });
+        if formed(self) && formed(other) {
+            self == other
+        } else {
+            self.without_weight() == other.without_weight()
+        }
+    }
+
+    fn without_weight(self) -> Self {
+        match self {
+            Self::Call { depth, origin, direction, .. } => {
+                Self::Call { depth, origin, direction, weight: None }
+            }
+            other => other,
+        }
+    }
+
     /// Kind and whole numbers, then the bits of all others; every NaN as the same bits.
     fn bits(&self) -> ([usize; 4], [u32; 11]) {
         const NONE: Vec3 = Vec3::ZERO;
         let (whole, vectors, numbers) = match *self {
             Self::Call { depth, origin, direction, weight } => {
-                ([0, depth as usize, 0, 0], [origin, direction, NONE], [weight, 0.0])
+                let whole = [0, depth as usize, usize::from(weight.is_some()), 0];
+                (whole, [origin, direction, NONE], [weight.unwrap_or(0.0), 0.0])
             }
             Self::Hit { depth, primitive, distance, local, k, followed } => {
                 let whole = [1, depth as usize, primitive, usize::from(followed)];

@@ -17,7 +17,7 @@ mod rung;
 mod walk;
 
 pub use event::{Event, Watch};
-pub use native_stack::NativeStack;
+pub use native_stack::native_stack;
 pub use picture::{render_by, watch_by};
 pub use rung::{DEEPEST, Error, FORWARD, RUNGS, RenderView, Rung, WatchRay};
 pub use walk::{Flight, PendingBounce, Step, Walk};

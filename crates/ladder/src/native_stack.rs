@@ -1,29 +1,32 @@
 //! How much native stack a rung uses: the addresses that it reaches, event by event.
 
+use std::hint::black_box;
+use std::ptr;
+
 use crate::{Event, Watch};
 
-/// Watches where the native stack ends whenever something happens.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct NativeStack {
-    /// Lowest and highest address so far.
-    reach: Option<(usize, usize)>,
+/// Calls `watched` with a watch on the native stack; what that answers, and the bytes from this
+/// call down to the lowest event. What a rung takes below an event, to test a shadow ray say, is
+/// not seen.
+///
+/// All events must come on this thread.
+#[inline(never)]
+pub fn native_stack<R>(watched: impl FnOnce(&mut dyn Watch) -> R) -> (R, usize) {
+    let base = black_box(0_usize);
+    let top = ptr::from_ref(black_box(&base)).addr();
+    let mut lowest = Lowest(top);
+    let answer = watched(&mut lowest);
+    (answer, top - lowest.0)
 }
 
-impl NativeStack {
-    /// Bytes between the highest and the lowest end of the stack that was seen. A constant
-    /// below one frame is missing: what lies above the first event.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        self.reach.map_or(0, |(low, high)| high - low)
-    }
-}
+/// The lowest address so far.
+struct Lowest(usize);
 
-impl Watch for NativeStack {
+impl Watch for Lowest {
     /// The event itself lies at the stack's end.
     #[inline(never)]
     fn see(&mut self, event: Event) {
-        let here = std::ptr::from_ref(std::hint::black_box(&event)).addr();
-        let (low, high) = self.reach.unwrap_or((here, here));
-        self.reach = Some((low.min(here), high.max(here)));
+        let here = ptr::from_ref(black_box(&event)).addr();
+        self.0 = self.0.min(here);
     }
 }

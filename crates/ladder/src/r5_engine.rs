@@ -3,33 +3,32 @@
 //! The engine knows no events. What its loop leaves on its stack on the way down, and takes
 //! off on the way up, is written down here in the words of the other rungs.
 
+use catoptric_core::Settings;
 use catoptric_core::watch::{Fold, Level};
-use catoptric_core::{Isa, Settings};
 use catoptric_scene::{Compiled, Counts, Film, Grid};
 use glam::Vec3;
 
 use crate::{Error, Event, Watch};
 
-/// Bytes that the engine's stacks may take.
-const STACK_LIMIT: usize = 2 << 30;
-
-pub(crate) fn render(scene: &Compiled, grid: &Grid, film: &mut Film) -> Result<Counts, Error> {
-    Ok(catoptric_core::render(scene, grid, film, settings(), &|_| ())?)
+pub(crate) fn render(
+    scene: &Compiled,
+    grid: &Grid,
+    film: &mut Film,
+    settings: Settings,
+) -> Result<Counts, Error> {
+    Ok(catoptric_core::render(scene, grid, film, settings, &|_| ())?)
 }
 
 pub(crate) fn watch(
     scene: &Compiled,
     grid: &Grid,
     (column, row): (usize, usize),
+    settings: Settings,
     watch: &mut dyn Watch,
 ) -> Result<Vec3, Error> {
     let (column, row) = (grid.columns[column], grid.rows[row]);
-    let mut words = Words { scene, watch, depth: 0, weight: 1.0 };
-    Ok(catoptric_core::watch::watch(scene, column, row, settings(), &mut words)?.into())
-}
-
-fn settings() -> Settings {
-    Settings { isa: Isa::detected(), stack_limit: STACK_LIMIT }
+    let mut words = Words { scene, watch, depth: 0 };
+    Ok(catoptric_core::watch::watch(scene, column, row, settings, &mut words)?.into())
 }
 
 /// Puts the engine's levels in words.
@@ -38,24 +37,24 @@ struct Words<'a> {
     watch: &'a mut dyn Watch,
     /// Of the level that comes next.
     depth: u32,
-    weight: f32,
 }
 
 impl catoptric_core::watch::Watch for Words<'_> {
     fn level(&mut self, level: Level) {
-        let (depth, weight) = (self.depth, self.weight);
+        let (depth, weight) = (self.depth, level.weight);
         let (origin, direction) = (level.origin.into(), level.direction.into());
         self.watch.see(Event::Call { depth, origin, direction, weight });
         let (local, followed) = (level.local.into(), level.k > 0.0);
         if let Some((primitive, distance)) = level.met {
             let primitive = primitive as usize;
+            // The engine takes k up with the ray that goes on. Of a mirror that it does not
+            // follow it keeps none: then it is the scene's.
             let material = self.scene.primitives[primitive].material as usize;
-            let k = self.scene.materials[material].mirror;
+            let k = if followed { level.k } else { self.scene.materials[material].mirror };
             self.watch.see(Event::Hit { depth, primitive, distance, local, k, followed });
         }
         if followed {
             self.depth += 1;
-            self.weight *= level.k;
         } else {
             self.watch.see(Event::Return { depth, colour: local });
         }

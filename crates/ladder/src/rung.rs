@@ -1,6 +1,6 @@
 //! The table of rungs.
 
-use catoptric_core::StackFull;
+use catoptric_core::{Settings, StackFull};
 use catoptric_reference::DEPTH_ALLOWED;
 use catoptric_scene::{Compiled, Counts, Film, Grid};
 use glam::Vec3;
@@ -31,13 +31,16 @@ pub enum Error {
 /// Renders a view into a film of its size, on rayon's current threads.
 ///
 /// Their stacks must hold [`STACK_BYTES`](catoptric_reference::STACK_BYTES) where paths may go
-/// deep and the rung grows the native stack. Fails if a path goes too deep; the film is then
-/// void. Panics if the film's size is not the grid's.
-pub type RenderView = fn(&Compiled, &Grid, &mut Film) -> Result<Counts, Error>;
+/// deep and the rung grows the native stack. The settings are the engine's; no other rung has
+/// any. Fails if a path goes too deep; the film is then void. Panics if the film's size is not
+/// the grid's.
+pub type RenderView = fn(&Compiled, &Grid, &mut Film, Settings) -> Result<Counts, Error>;
 
 /// Lets the life of one eye ray be seen, the one at an index of [`Grid::columns`] and one of
-/// [`Grid::rows`]; its colour. Fails as [`RenderView`] does; panics if an index is out of range.
-pub type WatchRay = fn(&Compiled, &Grid, (usize, usize), &mut dyn Watch) -> Result<Vec3, Error>;
+/// [`Grid::rows`]; its colour. Settings and errors as for [`RenderView`]; panics if an index is
+/// out of range.
+pub type WatchRay =
+    fn(&Compiled, &Grid, (usize, usize), Settings, &mut dyn Watch) -> Result<Vec3, Error>;
 
 /// One way to trace the same rays.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +57,7 @@ pub struct Rung {
     pub bit_identical: bool,
     /// Whether native stack use grows with depth.
     pub grows_native_stack: bool,
-    /// Bytes a ray and level that it keeps outside the native stack.
+    /// Bytes a ray and mirror that it keeps outside the native stack.
     pub level_bytes: usize,
     /// Renders a picture.
     pub render: RenderView,
@@ -69,104 +72,121 @@ impl Rung {
         let lines = self.source.lines().map(str::trim);
         lines.filter(|line| !line.is_empty() && !line.starts_with("//")).count()
     }
+
+    /// One that promises the recursion's bits and keeps nothing.
+    const fn new(
+        name: &'static str,
+        title: &'static str,
+        (file, source): (&'static str, &'static str),
+        render: RenderView,
+        watch: WatchRay,
+    ) -> Self {
+        let (bit_identical, grows_native_stack, level_bytes) = (true, false, 0);
+        Self {
+            name,
+            title,
+            file,
+            source,
+            bit_identical,
+            grows_native_stack,
+            level_bytes,
+            render,
+            watch,
+        }
+    }
+
+    const fn growing_the_native_stack(self) -> Self {
+        Self { grows_native_stack: true, ..self }
+    }
+
+    const fn keeping(self, level_bytes: usize) -> Self {
+        Self { level_bytes, ..self }
+    }
+}
+
+/// A file's name and text.
+macro_rules! file {
+    ($path:literal) => {
+        ($path, include_str!(concat!("../../../", $path)))
+    };
 }
 
 /// From the recursion up to the engine.
 pub const RUNGS: [Rung; 6] = [
-    Rung {
-        name: "r0",
-        title: "recursion",
-        file: "crates/ladder/src/r0_recursion.rs",
-        source: include_str!("r0_recursion.rs"),
-        bit_identical: true,
-        grows_native_stack: true,
-        level_bytes: 0,
-        render: |scene, grid, film| {
+    Rung::new(
+        "r0",
+        "recursion",
+        file!("crates/ladder/src/r0_recursion.rs"),
+        |scene, grid, film, _| {
             catoptric_reference::render(scene, grid, film, &|_| ())
                 .map_err(|_| Error::TooDeep { deepest: DEPTH_ALLOWED })
         },
-        watch: |scene, grid, at, watch| {
+        |scene, grid, at, _, watch| {
             watch_by(scene, position(grid, at), watch, DEPTH_ALLOWED, r0_recursion::trace)
         },
-    },
-    Rung {
-        name: "r1",
-        title: "continuation-passing style",
-        file: "crates/ladder/src/r1_continuations.rs",
-        source: include_str!("r1_continuations.rs"),
-        bit_identical: true,
-        grows_native_stack: true,
-        level_bytes: 0,
-        render: |scene, grid, film| {
-            render_by(scene, grid, film, DEPTH_ALLOWED, r1_continuations::trace)
-        },
-        watch: |scene, grid, at, watch| {
+    )
+    .growing_the_native_stack(),
+    Rung::new(
+        "r1",
+        "continuation-passing style",
+        file!("crates/ladder/src/r1_continuations.rs"),
+        |scene, grid, film, _| render_by(scene, grid, film, DEPTH_ALLOWED, r1_continuations::trace),
+        |scene, grid, at, _, watch| {
             watch_by(scene, position(grid, at), watch, DEPTH_ALLOWED, r1_continuations::trace)
         },
-    },
-    Rung {
-        name: "r2",
-        title: "defunctionalised continuations",
-        file: "crates/ladder/src/r2_frames.rs",
-        source: include_str!("r2_frames.rs"),
-        bit_identical: true,
-        grows_native_stack: true,
-        level_bytes: size_of::<Owed>(),
-        render: |scene, grid, film| render_by(scene, grid, film, DEPTH_ALLOWED, r2_frames::trace),
-        watch: |scene, grid, at, watch| {
+    )
+    .growing_the_native_stack(),
+    Rung::new(
+        "r2",
+        "defunctionalised continuations",
+        file!("crates/ladder/src/r2_frames.rs"),
+        |scene, grid, film, _| render_by(scene, grid, film, DEPTH_ALLOWED, r2_frames::trace),
+        |scene, grid, at, _, watch| {
             watch_by(scene, position(grid, at), watch, DEPTH_ALLOWED, r2_frames::trace)
         },
-    },
-    Rung {
-        name: "r3",
-        title: "a loop and a stack",
-        file: "crates/ladder/src/r3_loop.rs",
-        source: include_str!("r3_loop.rs"),
-        bit_identical: true,
-        grows_native_stack: false,
-        level_bytes: size_of::<PendingBounce>(),
-        render: |scene, grid, film| render_by(scene, grid, film, DEEPEST, r3_loop::trace),
-        watch: |scene, grid, at, watch| {
+    )
+    .growing_the_native_stack()
+    .keeping(size_of::<Owed>()),
+    Rung::new(
+        "r3",
+        "a loop and a stack",
+        file!("crates/ladder/src/r3_loop.rs"),
+        |scene, grid, film, _| render_by(scene, grid, film, DEEPEST, r3_loop::trace),
+        |scene, grid, at, _, watch| {
             watch_by(scene, position(grid, at), watch, DEEPEST, r3_loop::trace)
         },
-    },
-    Rung {
-        name: "r4",
-        title: "packets of eight rays",
-        file: "crates/ladder/src/r4_packets.rs",
-        source: include_str!("r4_packets.rs"),
-        bit_identical: true,
-        grows_native_stack: false,
-        level_bytes: size_of::<PendingBounce>(),
-        render: r4_packets::render,
-        watch: r4_packets::watch,
-    },
-    Rung {
-        name: "r5",
-        title: "the engine",
-        file: "crates/core/src/packet.rs",
-        source: include_str!("../../core/src/packet.rs"),
-        bit_identical: true,
-        grows_native_stack: false,
-        level_bytes: catoptric_core::RAY_LEVEL_BYTES,
-        render: r5_engine::render,
-        watch: r5_engine::watch,
-    },
+    )
+    .keeping(size_of::<PendingBounce>()),
+    Rung::new(
+        "r4",
+        "packets of eight rays",
+        file!("crates/ladder/src/r4_packets.rs"),
+        |scene, grid, film, _| r4_packets::render(scene, grid, film),
+        |scene, grid, at, _, watch| r4_packets::watch(scene, grid, at, watch),
+    )
+    .keeping(size_of::<PendingBounce>()),
+    Rung::new(
+        "r5",
+        "the engine",
+        file!("crates/core/src/packet.rs"),
+        r5_engine::render,
+        r5_engine::watch,
+    )
+    .keeping(catoptric_core::RAY_LEVEL_BYTES),
 ];
 
 /// The aside: the sum carried along. Its ray returns once, from the deepest level.
 pub const FORWARD: Rung = Rung {
-    name: "forward",
-    title: "forward accumulation",
-    file: "crates/ladder/src/aside_forward.rs",
-    source: include_str!("aside_forward.rs"),
     bit_identical: false,
-    grows_native_stack: false,
-    level_bytes: 0,
-    render: |scene, grid, film| render_by(scene, grid, film, DEEPEST, aside_forward::trace),
-    watch: |scene, grid, at, watch| {
-        watch_by(scene, position(grid, at), watch, DEEPEST, aside_forward::trace)
-    },
+    ..Rung::new(
+        "forward",
+        "forward accumulation",
+        file!("crates/ladder/src/aside_forward.rs"),
+        |scene, grid, film, _| render_by(scene, grid, film, DEEPEST, aside_forward::trace),
+        |scene, grid, at, _, watch| {
+            watch_by(scene, position(grid, at), watch, DEEPEST, aside_forward::trace)
+        },
+    )
 };
 
 /// Where an eye ray passes through the image plane.

@@ -69,7 +69,7 @@ impl<'a, W: Watch> Walk<'a, W> {
             return Step::Ends(Vec3::ZERO);
         }
         let Ray { origin, direction, .. } = ray;
-        self.watch.see(Event::Call { depth, origin, direction, weight });
+        self.watch.see(Event::Call { depth, origin, direction, weight: Some(weight) });
         let Some(hit) = self.tracer.meet(ray, depth) else {
             return self.ends(depth, self.tracer.scene.background);
         };

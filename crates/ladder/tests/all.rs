@@ -2,6 +2,7 @@
 
 mod aside;
 mod broken;
+mod broken_packets;
 mod comparison;
 mod native_stack;
 mod readme;

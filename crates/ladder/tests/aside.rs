@@ -1,11 +1,12 @@
 //! Forward accumulation is the same sum in the reals alone.
 
+use catoptric_core::Isa;
 use catoptric_ladder::{Event, FORWARD, RUNGS};
 use catoptric_scene::Film;
 use catoptric_tests::identity::{pool, recursive};
 use catoptric_tests::scenes;
 
-use crate::comparison::{eye_rays, view, watched};
+use crate::comparison::{eye_rays, settings, view, watched};
 
 /// Of a picture of 320x240, how much forward accumulation changes.
 struct Change {
@@ -23,12 +24,14 @@ fn change(name: &str, depth: u32) -> Change {
     let (scene, grid) = view(&scenes::sized(&scenes::named(name), 320, 240, depth), 1);
     let (recursive, _) = recursive(&scene, &grid);
     let mut forward = Film::new(grid.width, grid.height);
-    pool(2).install(|| (FORWARD.render)(&scene, &grid, &mut forward)).expect("not deep");
+    let settings = settings(Isa::Portable);
+    let rendered = pool(2).install(|| (FORWARD.render)(&scene, &grid, &mut forward, settings));
+    rendered.expect("not deep");
 
     let mut change = Change { values: 0, pixels: 0, mirrored: 0, largest: 0.0 };
     let pairs = recursive.pixels().iter().zip(forward.pixels());
     for (at, (a, b)) in eye_rays(&grid).zip(pairs) {
-        let log = watched(&RUNGS[0], &scene, &grid, at);
+        let log = watched(&RUNGS[0], Isa::Portable, &scene, &grid, at);
         let folds = log.iter().filter(|event| matches!(event, Event::Fold { .. })).count();
         let values = a.iter().zip(b).filter(|(a, b)| a.to_bits() != b.to_bits()).count();
         assert!(values == 0 || folds >= 2, "{name} at {at:?}: nothing was multiplied out");

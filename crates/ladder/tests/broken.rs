@@ -1,6 +1,7 @@
 //! Rungs broken on purpose. Each must be found different, and by the part of the comparison
 //! that is there to find it.
 
+use catoptric_core::Isa;
 use catoptric_ladder::{FORWARD, Flight, RUNGS, Rung, Step, Walk, Watch, render_by, watch_by};
 use catoptric_tests::scenes;
 use glam::Vec3;
@@ -8,9 +9,9 @@ use glam::Vec3;
 use crate::comparison::{Difference, view};
 
 /// Which of picture, counts and logs differ on the workshop's scene.
-fn differs(rung: &Rung) -> [bool; 3] {
+pub(crate) fn differs(rung: &Rung) -> [bool; 3] {
     let (scene, grid) = view(&scenes::sized(&scenes::named("workshop"), 64, 48, 5), 1);
-    let Difference { picture, counts, log } = Difference::new(rung, &scene, &grid);
+    let Difference { picture, counts, log } = Difference::new(rung, Isa::Portable, &scene, &grid);
     [picture.is_some(), counts.is_some(), log.is_some()]
 }
 
@@ -20,8 +21,8 @@ macro_rules! differs {
         differs(&Rung {
             name: stringify!($trace),
             bit_identical: false,
-            render: |scene, grid, film| render_by(scene, grid, film, 100, $trace),
-            watch: |scene, grid, (column, row), watch| {
+            render: |scene, grid, film, _| render_by(scene, grid, film, 100, $trace),
+            watch: |scene, grid, (column, row), _, watch| {
                 let position = (grid.columns[column], grid.rows[row]);
                 watch_by(scene, position, watch, 100, $trace)
             },

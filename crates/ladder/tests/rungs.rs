@@ -1,20 +1,21 @@
 //! Every rung gives the recursion's bits, counts and events.
 
+use catoptric_core::Isa;
 use catoptric_ladder::{Event, RUNGS};
 use catoptric_scene::{Compiled, Counts, Grid, Material, Numerics, Scene, Sphere};
 use catoptric_tests::identity::recursive;
 use catoptric_tests::{generate, scenes};
 use proptest::prelude::*;
 
-use crate::comparison::{Difference, eye_rays, view, watched};
+use crate::comparison::{Difference, eye_rays, rungs, view, watched};
 
 fn check(name: &str, scene: &Scene, samples: u32) -> Result<(), String> {
     let (compiled, grid) = view(scene, samples);
     the_log_tells_the_picture(&compiled, &grid)?;
-    for rung in RUNGS {
-        let difference = Difference::new(&rung, &compiled, &grid);
+    for (rung, isa) in rungs() {
+        let difference = Difference::new(&rung, isa, &compiled, &grid);
         if !difference.is_none() {
-            return Err(format!("{name}, {}: {difference:?}", rung.name));
+            return Err(format!("{name}, {} on {isa}: {difference:?}", rung.name));
         }
     }
     Ok(())
@@ -26,7 +27,7 @@ fn the_log_tells_the_picture(scene: &Compiled, grid: &Grid) -> Result<(), String
     let (film, counts) = recursive(scene, grid);
     let mut sum = Counts::default();
     for (column, row) in eye_rays(grid) {
-        let log = watched(&RUNGS[0], scene, grid, (column, row));
+        let log = watched(&RUNGS[0], Isa::Portable, scene, grid, (column, row));
         for event in &log {
             match event {
                 Event::Call { depth, .. } => sum.at(*depth).rays += 1,
@@ -82,6 +83,33 @@ fn deep_paths() {
     }
     let scene = scenes::sized(&draft, 9, 1, 5_000);
     check("perfect room", &scene, 1).unwrap_or_else(|report| panic!("{report}"));
+}
+
+/// Weights are compared wherever a rung forms them: the scalar ones always, the engine for a
+/// cut. The cut makes no difference to the picture here, so that all paths are the same.
+#[test]
+fn the_engine_forms_weights_for_a_cut_alone() {
+    for min_weight in [0.0, 1e-6] {
+        let mut draft = scenes::named("workshop");
+        draft.render.min_weight = min_weight;
+        let scene = scenes::sized(&draft, 64, 48, 5);
+        let (compiled, grid) = view(&scene, 1);
+        let mut mirrored = 0;
+        for (rung, isa) in rungs() {
+            for at in eye_rays(&grid) {
+                for event in watched(&rung, isa, &compiled, &grid, at) {
+                    if let Event::Call { depth, weight, .. } = event {
+                        let formed = rung.name != "r5" || min_weight > 0.0;
+                        assert_eq!(weight.is_some(), formed, "{}", rung.name);
+                        mirrored += usize::from(weight.is_some_and(|weight| weight < 1.0));
+                        assert!(depth > 0 || weight.is_none_or(|weight| weight == 1.0));
+                    }
+                }
+            }
+        }
+        assert!(mirrored > 100, "{mirrored}");
+        check("cut", &scene, 1).unwrap_or_else(|report| panic!("{report}"));
+    }
 }
 
 /// Packets fold 0 into colours that are complete: that would turn a -0 into 0.

@@ -3,19 +3,21 @@
 //! Every rung's picture is compared with the recursion's, bit for bit, before it is timed. All
 //! are timed on one thread.
 
-use catoptric_core::Isa;
-use catoptric_ladder::{FORWARD, NativeStack, RUNGS, Rung};
+mod table;
+
+use catoptric_core::{Isa, Settings};
+use catoptric_ladder::{FORWARD, RUNGS, Rung, native_stack};
 use catoptric_reference::path::{eye_ray, follow};
 use catoptric_scene::{Compiled, Film, Grid, View};
 use rayon::prelude::*;
 
 use crate::Watch;
 use crate::metrics::differing_pixels;
-use crate::report::{Cell, Column, Report, Table};
+use crate::report::{Report, Table};
 use crate::subject::Subject;
 use crate::timing::{Repeat, Times, in_turn};
-use crate::tracer::{Threads, Tracer};
-use crate::way::Way;
+use crate::tracer::{STACK_LIMIT, Threads};
+use table::COLUMNS;
 
 /// What is measured.
 pub struct Request<'a> {
@@ -28,58 +30,6 @@ pub struct Request<'a> {
     /// The engine's instruction set.
     pub isa: Isa,
 }
-
-const COLUMNS: &[Column] = &[
-    Column { key: "scene", heading: "scene", meaning: "The scene's name." },
-    Column { key: "rung", heading: "rung", meaning: "Its name; forward is the aside." },
-    Column { key: "title", heading: "what it is", meaning: "In a few words." },
-    Column {
-        key: "bit_identical",
-        heading: "same bits",
-        meaning: "Whether its picture is the recursion's, compared as bits.",
-    },
-    Column {
-        key: "different",
-        heading: "different",
-        meaning: "Share of pixels that differ from the recursion's in some bit.",
-    },
-    Column { key: "min_ms", heading: "min ms", meaning: "Least time of tracing alone, ms." },
-    Column { key: "median_ms", heading: "median ms", meaning: "Median time of tracing alone, ms." },
-    Column {
-        key: "ns_per_ray",
-        heading: "ns a ray",
-        meaning: "min_ms over rays of all kinds, in ns.",
-    },
-    Column {
-        key: "over_previous",
-        heading: "times faster",
-        meaning: "Than the rung before it, by min_ms.",
-    },
-    Column {
-        key: "over_r0",
-        heading: "in all",
-        meaning: "Times faster than the recursion, by min_ms.",
-    },
-    Column {
-        key: "native_stack_bytes",
-        heading: "native stack",
-        meaning: "Bytes of native stack that the events of the picture's deepest path span, from \
-                  the highest to the lowest.",
-    },
-    Column {
-        key: "level_bytes",
-        heading: "a level",
-        meaning: "Bytes a ray and level that it keeps outside the native stack.",
-    },
-    Column {
-        key: "lines",
-        heading: "lines",
-        meaning: "Lines of code in its file, without what rungs share; the engine's is the \
-                  packet loop alone.",
-    },
-    Column { key: "runs", heading: "runs", meaning: "How often it was timed, in turn with all." },
-    Column { key: "note", heading: "note", meaning: "Why there is no time, or what is wrong." },
-];
 
 /// Measures all of it. The report says that something failed where a rung that promises the
 /// recursion's bits has others.
@@ -112,6 +62,8 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Report {
 struct Climbed {
     /// From r0 up; the aside last.
     rows: Vec<Row>,
+    /// Whose picture the others are compared with: the first that holds the paths.
+    judge: Option<&'static str>,
     /// Reflections of the deepest path.
     deepest: usize,
 }
@@ -121,15 +73,11 @@ struct Row {
     rung: &'static Rung,
     /// Of all kinds; `None` where a path is too deep for it.
     rays: Option<u64>,
-    /// Share of pixels; `None` where there is nothing to compare with.
+    /// Share of pixels; `None` where there is nothing to compare with. The recursion is what it
+    /// is; another judge does not judge itself.
     different: Option<f64>,
     native_stack: Option<usize>,
     times: Times,
-}
-
-/// The instruction set is the study's and not the rung's own choice.
-fn way(rung: &'static Rung, isa: Isa) -> Way {
-    if rung.name == "r5" { Way::Tracer(Tracer::Packet(isa)) } else { Way::Rung(rung) }
 }
 
 impl Climbed {
@@ -140,38 +88,42 @@ impl Climbed {
         let pool = request.threads.most();
         let (deepest, at) = pool.install(|| deepest(&compiled, &grid));
 
-        let mut expected: Option<Film> = None;
+        let settings = Settings { isa: request.isa, stack_limit: STACK_LIMIT };
+        let mut judge: Option<(&'static str, Film)> = None;
         let mut rows = Vec::new();
         for rung in RUNGS.iter().chain([&FORWARD]) {
             if watch.stopped() {
                 break;
             }
-            let way = way(rung, request.isa);
-            let counts = pool.install(|| way.render(&compiled, &grid, &mut film)).ok();
-            if counts.is_some() && expected.is_none() {
-                expected = Some(film.clone());
-            }
-            let different = expected.as_ref().filter(|_| counts.is_some());
-            let mut stack = NativeStack::default();
-            let watched = pool.install(|| (rung.watch)(&compiled, &grid, at, &mut stack));
+            let counts = pool.install(|| (rung.render)(&compiled, &grid, &mut film, settings)).ok();
+            let different = match &judge {
+                _ if counts.is_none() => None,
+                Some((_, expected)) => Some(share_that_differs(expected, &film)),
+                None => {
+                    judge = Some((rung.name, film.clone()));
+                    (rung.name == "r0").then_some(0.0)
+                }
+            };
+            let (watched, bytes) = pool.install(|| {
+                native_stack(|watch| (rung.watch)(&compiled, &grid, at, settings, watch))
+            });
             rows.push(Row {
                 rung,
                 rays: counts.map(|counts| counts.total()),
-                different: different.map(|expected| share_that_differs(expected, &film)),
-                native_stack: watched.ok().map(|_| stack.bytes()),
+                different,
+                native_stack: watched.ok().map(|_| bytes),
                 times: Times::default(),
             });
         }
         let times = in_turn(rows.len(), request.repeat, watch, |i| {
             rows[i].rays?;
-            let way = way(rows[i].rung, request.isa);
-            let render = || way.render(&compiled, &grid, &mut film);
+            let render = || (rows[i].rung.render)(&compiled, &grid, &mut film, settings);
             Some(request.threads.time(1, render).1)
         });
         for (row, times) in rows.iter_mut().zip(times) {
             row.times = times;
         }
-        Self { rows, deepest }
+        Self { rows, judge: judge.map(|(name, _)| name), deepest }
     }
 
     /// How many times as fast as another rung.
@@ -179,63 +131,12 @@ impl Climbed {
         let other = self.rows.iter().find(|row| row.rung.name == other)?;
         Some(other.times.min_ms()? / row.times.min_ms()?)
     }
-
-    fn push(&self, table: &mut Table, scene: &str) {
-        for (i, row) in self.rows.iter().enumerate() {
-            let rung = row.rung;
-            // The aside stands on no rung.
-            let below = i.checked_sub(1).filter(|_| rung.name != FORWARD.name);
-            let over_previous = below.and_then(|i| self.over(self.rows[i].rung.name, row));
-            let ns = || Some(row.times.min_ms()? * 1e6 / row.rays? as f64);
-            table.push([
-                scene.into(),
-                rung.name.into(),
-                rung.title.into(),
-                row.different.map(|share| if share == 0.0 { "yes" } else { "no" }).into(),
-                row.different.into(),
-                row.times.min_ms().into(),
-                row.times.median_ms().into(),
-                ns().into(),
-                over_previous.into(),
-                self.over("r0", row).into(),
-                row.native_stack.into(),
-                rung.level_bytes.into(),
-                rung.lines_of_code().into(),
-                row.times.runs().into(),
-                row.note(),
-            ]);
-        }
-    }
-
-    fn words(&self) -> String {
-        let engine = self.rows.iter().find(|row| row.rung.name == "r5");
-        let factor = engine.and_then(|engine| self.over("r0", engine));
-        let speed = factor.map_or_else(String::new, |factor| {
-            format!(" The engine is {factor:.1} times as fast as the recursion, on one thread.")
-        });
-        let wrong = self.rows.iter().any(Row::is_wrong);
-        let bits = if wrong {
-            "NOT every rung that promises the recursion's bits has them."
-        } else {
-            "Every rung that promises the recursion's bits, and was rendered, has them."
-        };
-        format!("The deepest path has {} reflections. {bits}{speed}", self.deepest)
-    }
 }
 
 impl Row {
     /// Whether it breaks its promise.
     fn is_wrong(&self) -> bool {
         self.rung.bit_identical && self.different.is_some_and(|share| share > 0.0)
-    }
-
-    fn note(&self) -> Cell {
-        match (self.rays, self.times.runs()) {
-            _ if self.is_wrong() => "FAILS".into(),
-            (None, _) => "a path is deeper than its stack".into(),
-            (Some(_), 0) => "interrupted".into(),
-            _ => Cell::Nothing,
-        }
     }
 }
 

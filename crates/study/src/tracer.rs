@@ -79,7 +79,7 @@ impl Renders for f64 {
 pub struct TooDeep;
 
 /// Bytes for the engine's stacks: what `render` allows unless it is told otherwise.
-pub(crate) const STACK_LIMIT: usize = 2 << 30;
+pub const STACK_LIMIT: usize = 2 << 30;
 
 /// Pools of threads with stacks for the recursion's deepest path, by their number.
 pub struct Threads {

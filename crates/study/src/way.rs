@@ -13,8 +13,8 @@ pub enum Way {
     Tracer(Tracer),
     /// The packet engine with a plan that leaves nothing out.
     Everything(Isa),
-    /// A rung of the ladder.
-    Rung(&'static Rung),
+    /// A rung of the ladder; the instruction set is the engine's.
+    Rung(&'static Rung, Isa),
 }
 
 impl Way {
@@ -24,7 +24,7 @@ impl Way {
         match self {
             Self::Tracer(tracer) => tracer.name(),
             Self::Everything(isa) => Tracer::Packet(isa).name(),
-            Self::Rung(rung) => rung.name,
+            Self::Rung(rung, _) => rung.name,
         }
     }
 
@@ -40,7 +40,10 @@ impl Way {
                 let settings = Settings { isa, stack_limit: STACK_LIMIT };
                 render_planned(scene, &plan, grid, film, settings, &|_| {}).map_err(|_| TooDeep)
             }
-            Self::Rung(rung) => (rung.render)(scene, grid, film).map_err(|_| TooDeep),
+            Self::Rung(rung, isa) => {
+                let settings = Settings { isa, stack_limit: STACK_LIMIT };
+                (rung.render)(scene, grid, film, settings).map_err(|_| TooDeep)
+            }
         }
     }
 }

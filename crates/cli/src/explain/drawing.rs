@@ -1,9 +1,12 @@
 //! The path in an orthographic view of the scene, as SVG.
 //!
-//! Of the views along the camera's axes (from above, from the side, from the eye) the one in
-//! which the mirrored rays are longest.
+//! Of three views (from above, from the side, along the camera's) the one in which the mirrored
+//! rays are longest. All stand upright with the scene, however the camera is inclined, so that
+//! floors and walls are seen edge on.
 
+mod marks;
 mod path;
+mod planes;
 mod window;
 
 use std::fmt::Write;
@@ -12,7 +15,7 @@ use catoptric_scene::Scene;
 
 use super::life::Life;
 use path::{HITS, Path, dot};
-use window::{HEIGHT, WIDTH, Window, half_plane};
+use window::{HEIGHT, WIDTH, Window};
 
 /// Spheres that are drawn.
 const SPHERES: usize = 400;
@@ -20,6 +23,8 @@ const SPHERES: usize = 400;
 /// A view axis by axis: where the drawing's right and up point.
 struct Axes {
     name: &'static str,
+    /// Where a ray may pass what it crosses in the drawing.
+    passes: &'static str,
     right: [f64; 3],
     up: [f64; 3],
 }
@@ -52,13 +57,21 @@ pub(super) fn draw(life: &Life) -> Drawing {
          aria-label=\"The path, {}\">\n",
         axes.name
     );
+    let planes = planes::Seen::new(life, &axes, &path);
+    planes.behind(&mut svg);
     for disc in &shown {
         window.disc(disc, &mut svg);
     }
-    let hidden = planes(life, &axes, &window, &mut svg);
-    window.path(&points, &path, &mut svg);
+    planes.edge_on(&window, &mut svg);
+    planes.tangents(&window, &points, &path, &mut svg);
+    let names: Vec<String> = path.met.iter().map(|&stated| life.name_of(stated)).collect();
+    marks::path(&window, &points, &path, &names, &mut svg);
     svg += "</svg>";
-    Drawing { svg, caption: caption(&axes, &path, (shown.len(), all), hidden) }
+    let mut caption = caption(&axes, &path, (shown.len(), all), planes.hidden);
+    if !window.holds(points[0]) {
+        caption += " The eye is outside the drawing.";
+    }
+    Drawing { svg, caption }
 }
 
 impl Axes {
@@ -68,17 +81,21 @@ impl Axes {
 }
 
 fn view(life: &Life, points: &[[f64; 3]]) -> Axes {
-    let eye = &life.compiled.eye;
-    let unit = |v: [f32; 3]| {
-        let v = v.map(f64::from);
-        let length = dot(v, v).sqrt();
-        v.map(|x| x / length)
-    };
-    let [right, up, forward] = [eye.right, eye.up, eye.forward].map(|v| unit(v.to_array()));
+    let scene = life.scene.camera;
+    let up = unit(scene.up);
+    let view = unit(std::array::from_fn(|i| scene.look_at[i] - scene.position[i]));
+    // The view is not parallel to up: the scene's validation sees to that.
+    let rise = dot(view, up);
+    let forward = unit(std::array::from_fn(|i| view[i] - rise * up[i]));
+    let right = std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        forward[j] * up[k] - forward[k] * up[j]
+    });
+    let (above, before) = ("above or below", "in front of or behind");
     let all = [
-        Axes { name: "seen from above", right, up: forward },
-        Axes { name: "seen from the side", right: forward, up },
-        Axes { name: "seen from the eye", right, up },
+        Axes { name: "seen from above", passes: above, right, up: forward },
+        Axes { name: "seen from the side", passes: before, right: forward, up },
+        Axes { name: "seen as the eye looks, but level", passes: before, right, up },
     ];
     let length = |axes: &Axes| -> f64 {
         let flat: Vec<[f64; 2]> = points.iter().map(|p| axes.project(*p)).collect();
@@ -109,33 +126,13 @@ fn discs(scene: &Scene, axes: &Axes) -> Vec<Disc> {
     scene.spheres.iter().enumerate().map(disc).collect()
 }
 
-/// Draws the planes that are seen edge on; how many are not.
-fn planes(life: &Life, axes: &Axes, window: &Window, svg: &mut String) -> usize {
-    let scene = life.scene;
-    let mut hidden = 0;
-    for plane in &scene.planes {
-        let length = dot(plane.normal, plane.normal).sqrt();
-        let normal = plane.normal.map(|x| x / length);
-        let seen = axes.project(normal);
-        if seen[0].hypot(seen[1]) < 0.999 {
-            hidden += 1;
-            continue;
-        }
-        let eye = scene.camera.position;
-        let height = dot(normal, std::array::from_fn(|i| plane.point[i] - eye[i]));
-        // The solid side is the one that the eye is not on.
-        let towards_eye = if height > 0.0 { -1.0 } else { 1.0 };
-        let rim = window.place([seen[0] * height, seen[1] * height]);
-        let outward = [seen[0] * towards_eye, -seen[1] * towards_eye];
-        let color = css(plane.material.color);
-        let shape = half_plane(rim, outward);
-        push(svg, format_args!("{shape} class=\"sphere\" fill=\"{color}\"/>\n"));
-    }
-    hidden
-}
-
 fn caption(axes: &Axes, path: &Path, spheres: (usize, usize), planes: usize) -> String {
-    let mut words = format!("The scene {}, parallel. Numbers are depths of hits.", axes.name);
+    let mut words = format!(
+        "The scene {}, in parallel: a ray may pass {} what it crosses. Hits carry their depth{}.",
+        axes.name,
+        axes.passes,
+        if path.met.len() <= marks::NAMED { " and what was hit" } else { "" }
+    );
     if path.hidden > 0 {
         let _ = write!(words, " The first {HITS} hits are drawn, {} more are not.", path.hidden);
     }
@@ -144,9 +141,18 @@ fn caption(axes: &Axes, path: &Path, spheres: (usize, usize), planes: usize) -> 
         let _ = write!(words, " {} spheres are drawn, {more} more are not.", spheres.0);
     }
     if planes > 0 {
-        let _ = write!(words, " {planes} planes, not seen edge on, are not drawn.");
+        let s = if planes == 1 { " is" } else { "s are" };
+        let _ = write!(words, " {planes} plane{s} not drawn, neither hit nor seen edge on.");
     }
     words
+}
+
+/// Scaled first, so that no square is lost.
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    let largest = v.into_iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    let v = v.map(|x| x / largest);
+    let length = dot(v, v).sqrt();
+    v.map(|x| x / length)
 }
 
 /// A linear colour as a browser takes it, brightened as for a screen.

@@ -1,15 +1,16 @@
 //! One eye ray's whole life, as two rungs of the ladder have it: the recursion, and the engine.
 //!
 //! Both tell it in the ladder's events, which are compared one by one: what is shown is what
-//! both did.
+//! both did, but for two numbers, which are then the recursion's alone: weights without a cut by
+//! weight, and k of a mirror that is not followed.
 
 mod json;
 pub(super) mod text;
 
-use catoptric_core::Isa;
+use catoptric_core::{Isa, Settings};
 use catoptric_ladder::{DEEPEST, Event, RUNGS, Rung, Watch};
 use catoptric_scene::{Compiled, Crop, Film, Grid, Quantiser, Scene, View};
-use catoptric_study::tracer::Tracer;
+use catoptric_study::tracer::{STACK_LIMIT, Tracer};
 use serde::Serialize;
 
 use super::Pixel;
@@ -26,7 +27,10 @@ pub(super) struct Life<'a> {
     pub(super) recursion: &'static Rung,
     /// Who told the engine's side.
     pub(super) engine: &'static Rung,
+    /// The recursion's log; the engine's agrees.
     pub(super) events: Vec<Event>,
+    /// Whether the engine formed the weights too.
+    pub(super) engine_forms_weights: bool,
     /// Linear RGB, as the engine renders the pixel.
     pub(super) colour: [f32; 3],
     pub(super) quantiser: Quantiser,
@@ -49,11 +53,18 @@ impl<'a> Life<'a> {
         let grid = Grid::new(&view);
         let [recursion, .., the_loop, _, engine] = &RUNGS;
 
-        let (recursion, events) = log(recursion, &compiled, &grid)
-            .or_else(|_| log(the_loop, &compiled, &grid))
-            .map_err(|_| too_deep(scene))?;
-        let mut same = Same { expected: events.iter(), differs: false };
-        (engine.watch)(&compiled, &grid, (0, 0), &mut same).map_err(|_| too_deep(scene))?;
+        let settings = Settings { isa, stack_limit: STACK_LIMIT };
+        let watch = |rung: &Rung, watch: &mut dyn Watch| {
+            (rung.watch)(&compiled, &grid, (0, 0), settings, watch).map(drop)
+        };
+        let log = |rung: &'static Rung| {
+            let mut events = Vec::new();
+            watch(rung, &mut events).map(|()| (rung, events))
+        };
+        let told = log(recursion).or_else(|_| log(the_loop));
+        let (recursion, events) = told.map_err(|_| too_deep(scene))?;
+        let mut same = Same { expected: events.iter(), differs: false, weights: false };
+        watch(engine, &mut same).map_err(|_| too_deep(scene))?;
         let mut film = Film::new(1, 1);
         let rendered = Tracer::Packet(isa).render(&compiled, &grid, &mut film);
         rendered.map_err(|_| too_deep(scene))?;
@@ -62,7 +73,8 @@ impl<'a> Life<'a> {
         let Some(Event::Return { colour: returned, .. }) = events.last() else {
             unreachable!("the last thing that a ray does is to return")
         };
-        let same_bits = |(a, b): (&f32, &f32)| a.to_bits() == b.to_bits() || a.is_nan();
+        let same_bits =
+            |(a, b): (&f32, &f32)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
         let same_colour = colour.iter().zip(&returned.to_array()).all(same_bits);
         if same.differs || same.expected.next().is_some() || !same_colour {
             let Pixel { x, y } = pixel;
@@ -70,8 +82,20 @@ impl<'a> Life<'a> {
                 "the engine's account of pixel {x},{y} is not the recursion's: this is a fault of the program, please report it with the scene"
             )));
         }
+        let engine_forms_weights = same.weights;
         let quantiser = Quantiser::new(scene.image.transfer);
-        Ok(Self { name, scene, compiled, pixel, recursion, engine, events, colour, quantiser })
+        Ok(Self {
+            name,
+            scene,
+            compiled,
+            pixel,
+            recursion,
+            engine,
+            events,
+            engine_forms_weights,
+            colour,
+            quantiser,
+        })
     }
 
     /// How many.
@@ -86,7 +110,11 @@ impl<'a> Life<'a> {
 
     /// Where the scene states a primitive: `spheres[2]`, as its error messages have it.
     pub(super) fn stated(&self, primitive: usize) -> String {
-        let stated = self.compiled.primitives[primitive].stated as usize;
+        self.name_of(self.compiled.primitives[primitive].stated as usize)
+    }
+
+    /// The same of a place among the scene's spheres; planes come after.
+    pub(super) fn name_of(&self, stated: usize) -> String {
         let spheres = self.scene.spheres.len();
         match stated.checked_sub(spheres) {
             None => format!("spheres[{stated}]"),
@@ -105,6 +133,17 @@ impl<'a> Life<'a> {
         matches!(before, Some(Event::Call { .. }))
     }
 
+    /// Why the mirror of a hit that is not followed is not.
+    pub(super) fn last(&self, depth: u32, k: f32) -> Last {
+        if k.is_nan() || k <= 0.0 {
+            Last::NoMirror
+        } else if depth >= self.scene.render.max_depth {
+            Last::MaxDepth
+        } else {
+            Last::MinWeight
+        }
+    }
+
     /// What an event is to the two.
     pub(super) fn roles(&self, index: usize) -> Roles {
         let (recursion, engine) = match self.events[index] {
@@ -119,6 +158,16 @@ impl<'a> Life<'a> {
     }
 }
 
+/// Why a hit is the last.
+#[derive(Clone, Copy, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Last {
+    /// It owes nothing.
+    NoMirror,
+    MaxDepth,
+    MinWeight,
+}
+
 /// One event, in a word each.
 #[derive(Serialize)]
 pub(super) struct Roles {
@@ -127,16 +176,6 @@ pub(super) struct Roles {
     /// `ray`: in flight; `push`: a level is put on the stack; `end`: nothing is owed; `fold`: the
     /// level is taken off and paid. Null: nothing happens, what the recursion returns is at hand.
     pub(super) engine: Option<&'static str>,
-}
-
-fn log<'r>(
-    rung: &'r Rung,
-    scene: &Compiled,
-    grid: &Grid,
-) -> Result<(&'r Rung, Vec<Event>), catoptric_ladder::Error> {
-    let mut events = Vec::new();
-    (rung.watch)(scene, grid, (0, 0), &mut events)?;
-    Ok((rung, events))
 }
 
 fn too_deep(scene: &Scene) -> Failure {
@@ -150,10 +189,13 @@ fn too_deep(scene: &Scene) -> Failure {
 struct Same<'a> {
     expected: std::slice::Iter<'a, Event>,
     differs: bool,
+    /// Whether it tells any.
+    weights: bool,
 }
 
 impl Watch for Same<'_> {
     fn see(&mut self, event: Event) {
-        self.differs |= self.expected.next() != Some(&event);
+        self.differs |= self.expected.next().is_none_or(|expected| !expected.agrees(&event));
+        self.weights |= matches!(event, Event::Call { weight: Some(_), .. });
     }
 }

@@ -8,6 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use catoptric_core::{Isa, Settings, render_levels};
 use catoptric_scene::{Compiled, Grid, Scene, View};
 use catoptric_study::report::escaped;
+use catoptric_study::tracer::STACK_LIMIT;
 
 use super::Pixel;
 use super::drawing::draw;
@@ -24,8 +25,8 @@ const POLICY: &str =
 /// Columns or rows of the page's picture, at most.
 const SIDE: u32 = 800;
 
-/// Bytes for the engine's stacks: what `render` allows unless it is told otherwise.
-const STACK_LIMIT: usize = 2 << 30;
+/// Below half of it a picture is shown enlarged.
+const SMALL: u32 = 320;
 
 /// The page; its picture is rendered on rayon's current threads.
 ///
@@ -41,10 +42,14 @@ pub(super) fn page(life: &Life, isa: Isa) -> Result<String, Failure> {
     let Pixel { x, y } = life.pixel;
     let (width, height) = (life.scene.image.width, life.scene.image.height);
     let place = |at: u32, size: u32| (f64::from(at) + 0.5) / f64::from(size) * 100.0;
-    let smaller = if (picture.width, picture.height) == (width, height) {
-        String::new()
-    } else {
+    // How many times a tiny picture is enlarged.
+    let times = (SMALL / picture.width.max(picture.height)).max(1);
+    let scaled = if (picture.width, picture.height) != (width, height) {
         format!(", here in {}x{}", picture.width, picture.height)
+    } else if times > 1 {
+        format!(", {times} times enlarged")
+    } else {
+        String::new()
     };
     let ellipsis = match hidden {
         0 => String::new(),
@@ -62,14 +67,19 @@ pub(super) fn page(life: &Life, isa: Isa) -> Result<String, Failure> {
         ("about", escaped(&about(life)[1..].join("; "))),
         ("drawing", drawing.svg),
         ("drawing-caption", escaped(&drawing.caption)),
-        ("width", picture.width.to_string()),
-        ("height", picture.height.to_string()),
+        ("enlarged", if times > 1 { " class=\"enlarged\"" } else { "" }.to_owned()),
+        ("width", (picture.width * times).to_string()),
+        ("height", (picture.height * times).to_string()),
+        (
+            "picture-alt",
+            format!("The picture, {width} pixels wide and {height} high; pixel {x},{y} is marked"),
+        ),
         ("picture", STANDARD.encode(png)),
         ("mark-x", place(x, width).to_string()),
         ("mark-y", place(y, height).to_string()),
         (
             "picture-caption",
-            format!("The picture of {width}x{height}{smaller}; pixel {x},{y} is marked."),
+            format!("The picture of {width}x{height}{scaled}; pixel {x},{y} is marked."),
         ),
         ("ellipsis", ellipsis),
         ("log", steps.iter().map(row).collect()),

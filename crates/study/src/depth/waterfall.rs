@@ -38,7 +38,7 @@ pub(super) fn add(
     let [.., the_loop, _, _] = &RUNGS;
     let mut steps = vec![
         ("the recursion".to_owned(), Way::Tracer(Tracer::Recursive), 1),
-        ("a scalar loop with an explicit stack".to_owned(), Way::Rung(the_loop), 1),
+        ("a scalar loop with an explicit stack".to_owned(), Way::Rung(the_loop, request.isa), 1),
         ("eight portable lanes, nothing left out".to_owned(), Way::Everything(Isa::Portable), 1),
     ];
     if request.isa != Isa::Portable {

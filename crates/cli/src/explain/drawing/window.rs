@@ -1,14 +1,10 @@
 //! The part of the view that the drawing shows, and what is drawn there.
 
-use super::path::Path;
 use super::{Disc, push};
 
 /// Units of the drawing.
 pub(super) const WIDTH: f64 = 640.0;
 pub(super) const HEIGHT: f64 = 480.0;
-
-/// Hits that carry their number.
-const NUMBERED: usize = 40;
 
 /// The part of the view that the drawing shows.
 pub(super) struct Window {
@@ -54,6 +50,12 @@ impl Window {
         radius > 0.3 && !outside(x, WIDTH) && !outside(y, HEIGHT)
     }
 
+    /// Whether a point is in the drawing.
+    pub(super) fn holds(&self, point: [f64; 2]) -> bool {
+        let [x, y] = self.place(point);
+        (0.0..=WIDTH).contains(&x) && (0.0..=HEIGHT).contains(&y)
+    }
+
     /// A circle; so large a one that its rim is straight in the drawing, as a half plane.
     pub(super) fn disc(&self, disc: &Disc, svg: &mut String) {
         let ([x, y], radius) = (self.place(disc.center), disc.radius * self.scale);
@@ -63,10 +65,8 @@ impl Window {
         } else {
             let away = [WIDTH / 2.0 - x, HEIGHT / 2.0 - y];
             let far = away[0].hypot(away[1]);
-            if far == 0.0 {
-                return;
-            }
-            let normal = away.map(|a| a / far);
+            // In the middle of the disc any direction is outward.
+            let normal = if far > 0.0 { away.map(|a| a / far) } else { [1.0, 0.0] };
             let rim = [
                 WIDTH / 2.0 - normal[0] * (far - radius),
                 HEIGHT / 2.0 - normal[1] * (far - radius),
@@ -74,41 +74,6 @@ impl Window {
             half_plane(rim, normal)
         };
         push(svg, format_args!("{shape} class=\"sphere\" fill=\"{color}\"/>\n"));
-    }
-
-    pub(super) fn path(&self, points: &[[f64; 2]], path: &Path, svg: &mut String) {
-        let placed: Vec<[f64; 2]> = points.iter().map(|p| self.place(*p)).collect();
-        for (depth, leg) in placed.windows(2).enumerate() {
-            let ([x1, y1], [x2, y2]) = (leg[0], leg[1]);
-            let leaving = if path.leaves && depth + 2 == placed.len() { " leaving" } else { "" };
-            push(
-                svg,
-                format_args!(
-                    "<line class=\"leg{leaving}\" data-depth=\"{depth}\" x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\"/>\n"
-                ),
-            );
-        }
-        let [x, y] = placed[0];
-        push(
-            svg,
-            format_args!(
-                "<circle class=\"hit\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"4\"/>\n<text x=\"{:.2}\" y=\"{:.2}\">eye</text>\n",
-                x + 7.0,
-                y - 7.0
-            ),
-        );
-        for (depth, [x, y]) in placed.iter().skip(1).take(path.met.len()).enumerate() {
-            push(
-                svg,
-                format_args!(
-                    "<circle class=\"hit\" data-depth=\"{depth}\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"3\"/>\n"
-                ),
-            );
-            if depth < NUMBERED {
-                let (x, y) = (x + 6.0, y - 6.0);
-                push(svg, format_args!("<text x=\"{x:.2}\" y=\"{y:.2}\">{depth}</text>\n"));
-            }
-        }
     }
 }
 
@@ -139,12 +104,18 @@ impl Bounds {
     }
 }
 
-/// What lies behind a straight rim, as far as the drawing goes; the tag is left open.
+/// What lies behind a straight rim, as far as the drawing goes; the tag is left open. All of the
+/// drawing where no rim crosses it and `outward` points to where that is.
 pub(super) fn half_plane(rim: [f64; 2], outward: [f64; 2]) -> String {
+    // More than half the drawing's diagonal, and more than all of it.
+    const HALF: f64 = 401.0;
     const FAR: f64 = 2e3;
-    // The foot of the drawing's middle on the rim.
+    // The foot of the drawing's middle on the rim, and how far outside the middle is.
     let middle = [WIDTH / 2.0, HEIGHT / 2.0];
     let off = (0..2).map(|i| (middle[i] - rim[i]) * outward[i]).sum::<f64>();
+    if off < -HALF {
+        return everywhere();
+    }
     let foot = [middle[0] - off * outward[0], middle[1] - off * outward[1]];
     let side = [-outward[1], outward[0]];
     let corner = |s: f64, o: f64| {
@@ -153,4 +124,9 @@ pub(super) fn half_plane(rim: [f64; 2], outward: [f64; 2]) -> String {
     };
     let corners = [corner(-1.0, 0.0), corner(1.0, 0.0), corner(1.0, -1.0), corner(-1.0, -1.0)];
     format!("<polygon points=\"{}\"", corners.join(" "))
+}
+
+/// All of the drawing; the tag is left open.
+pub(super) fn everywhere() -> String {
+    format!("<rect x=\"0\" y=\"0\" width=\"{WIDTH}\" height=\"{HEIGHT}\"")
 }

@@ -4,14 +4,14 @@ use catoptric_ladder::Event;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-use super::{Life, Roles};
+use super::{Last, Life, Roles};
 use crate::explain::account::numerics;
 
 /// Points are relative to the eye; colours are linear RGB; what is
 /// infinite or NaN is null.
 impl Serialize for Life<'_> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let mut map = to.serialize_struct("life", 15)?;
+        let mut map = to.serialize_struct("life", 17)?;
         map.serialize_field("schema", "catoptric-explain-pixel")?;
         map.serialize_field("version", &1)?;
         map.serialize_field("scene", self.name)?;
@@ -21,8 +21,10 @@ impl Serialize for Life<'_> {
         map.serialize_field("y", &self.pixel.y)?;
         map.serialize_field("numerics", numerics(self.scene))?;
         map.serialize_field("max_depth", &self.scene.render.max_depth)?;
+        map.serialize_field("min_weight", &self.scene.render.min_weight)?;
         map.serialize_field("eye", &self.scene.camera.position)?;
         map.serialize_field("rungs", &[self.recursion.name, self.engine.name])?;
+        map.serialize_field("engine_forms_weights", &self.engine_forms_weights)?;
         map.serialize_field("deepest", &self.deepest())?;
         map.serialize_field("colour", &self.colour)?;
         map.serialize_field("levels", &self.levels(self.colour))?;
@@ -55,14 +57,15 @@ struct Step {
     numbers: Numbers,
 }
 
-/// The same for both.
+/// The same for both, but that a weight may be the recursion's alone, and k of a hit that is not
+/// followed is.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Numbers {
     Call {
         origin: [f32; 3],
         direction: [f32; 3],
-        weight: f32,
+        weight: Option<f32>,
     },
     Hit {
         /// Where the scene states it.
@@ -71,6 +74,8 @@ enum Numbers {
         local: [f32; 3],
         k: f32,
         followed: bool,
+        /// Of a hit that is not followed; null otherwise.
+        last: Option<Last>,
     },
     Fold {
         local: [f32; 3],
@@ -90,8 +95,9 @@ impl Numbers {
                 Self::Call { origin: origin.into(), direction: direction.into(), weight }
             }
             Event::Hit { primitive, distance, local, k, followed, .. } => {
+                let last = (!followed).then(|| life.last(event.depth(), k));
                 let (primitive, local) = (life.stated(primitive), local.into());
-                Self::Hit { primitive, distance, local, k, followed }
+                Self::Hit { primitive, distance, local, k, followed, last }
             }
             Event::Fold { local, k, back, colour, .. } => {
                 Self::Fold { local: local.into(), k, back: back.into(), colour: colour.into() }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use catoptric_ladder::Event;
 
-use super::{Life, Pixel};
+use super::{Last, Life, Pixel};
 use crate::explain::account::numerics;
 
 /// One event as people read it.
@@ -36,13 +36,13 @@ pub(in crate::explain) fn write(life: &Life, to: &mut dyn Write) -> io::Result<(
 }
 
 /// What is told, and of what.
-pub(in crate::explain) fn about(life: &Life) -> [String; 4] {
+pub(in crate::explain) fn about(life: &Life) -> Vec<String> {
     let Pixel { x, y } = life.pixel;
     let image = life.scene.image;
     let [ex, ey, ez] = life.scene.camera.position;
     let render = life.scene.render;
     let limits = format!("max_depth {}, min_weight {}", render.max_depth, render.min_weight);
-    [
+    vec![
         format!("{}, pixel {x},{y} of {}x{}", life.name, image.width, image.height),
         format!("numerics {}, {limits}; reflections: {}", numerics(life.scene), life.deepest()),
         format!("points are relative to the eye, which is at {ex} {ey} {ez}"),
@@ -66,17 +66,18 @@ pub(in crate::explain) fn tell(life: &Life, index: usize) -> Told {
             vec![
                 ("origin", rgb(origin)),
                 ("direction", rgb(direction)),
-                ("weight", number(weight)),
+                ("weight", self::weight(life, weight)),
             ],
         ),
         Event::Hit { depth, primitive, distance, local, k, followed } => {
             let name = life.stated(primitive);
-            let mut numbers =
-                vec![("distance", number(distance)), ("local", rgb(local)), ("k", number(k))];
+            let mut numbers = vec![("distance", number(distance)), ("local", rgb(local))];
             if followed {
+                numbers.push(("k", number(k)));
                 let recursion = format!("hit {name}, wait for mirror");
                 return told(recursion, format!("push level {depth}: (local, k)"), numbers);
             }
+            numbers.push(("k", format!("{} (the scene's: the engine keeps none)", number(k))));
             numbers.extend(why(life, depth, k).map(|why| ("", why)));
             told(format!("hit {name}, the last"), format!("level {depth} owes nothing"), numbers)
         }
@@ -108,15 +109,22 @@ pub(in crate::explain) fn tell(life: &Life, index: usize) -> Told {
     }
 }
 
+/// A ray's weight, and whose it is.
+fn weight(life: &Life, weight: Option<f32>) -> String {
+    match weight {
+        Some(weight) if life.engine_forms_weights => number(weight),
+        Some(weight) => format!("{} (the recursion's: the engine forms none)", number(weight)),
+        None => "none".to_owned(),
+    }
+}
+
 /// Why a mirror is not followed, if it is one.
 fn why(life: &Life, depth: u32, k: f32) -> Option<String> {
     let render = life.scene.render;
-    if k.is_nan() || k <= 0.0 {
-        None
-    } else if depth >= render.max_depth {
-        Some(format!("not followed: max_depth is {}", render.max_depth))
-    } else {
-        Some(format!("not followed: its weight is below {}", render.min_weight))
+    match life.last(depth, k) {
+        Last::NoMirror => None,
+        Last::MaxDepth => Some(format!("not followed: max_depth is {}", render.max_depth)),
+        Last::MinWeight => Some(format!("not followed: its weight is below {}", render.min_weight)),
     }
 }
 

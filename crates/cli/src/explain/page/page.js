@@ -32,9 +32,9 @@
         colour = step.colour;
       } else if (step.gap.down) {
         // Levels between that the page leaves out, as one entry.
-        const says = `… ${step.gap.levels} more`;
-        calls.push({ says });
-        stack.push({ says });
+        const gap = { says: `… ${step.gap.levels} more`, levels: step.gap.levels };
+        calls.push(gap);
+        stack.push(gap);
         deepest = step.gap.deepest;
       } else {
         calls.pop();
@@ -51,6 +51,9 @@
     return box;
   }
 
+  // How many calls or levels a list of entries stands for.
+  const levels = (entries) => entries.reduce((sum, entry) => sum + (entry.levels ?? 1), 0);
+
   // The newest entry on top, the middle of a high pile as one line.
   function pile(list, entries, empty) {
     const line = (says, name, css) => {
@@ -64,15 +67,29 @@
     const items = newest.map((entry, i) => line(entry.says, i === 0 ? "top" : "", entry.css));
     if (items.length === 0) items.push(line(empty, "none"));
     const hidden = items.length - TOP - BOTTOM;
-    if (hidden > 1) items.splice(TOP, hidden, line(`… ${hidden} more`, "more"));
+    if (hidden > 1) {
+      const more = levels(newest.slice(TOP, TOP + hidden));
+      items.splice(TOP, hidden, line(`… ${more} more`, "more"));
+    }
     list.replaceChildren(...items);
+  }
+
+  // Scrolls the log, and not the page, so that a row is seen.
+  function reveal(row) {
+    const box = element("log-box"), head = box.querySelector("thead").offsetHeight;
+    const top = row.offsetTop - head, bottom = row.offsetTop + row.offsetHeight;
+    if (top < box.scrollTop) box.scrollTop = top;
+    else if (bottom > box.scrollTop + box.clientHeight) box.scrollTop = bottom - box.clientHeight;
   }
 
   function show(index) {
     rows[at].classList.remove("current");
+    rows[at].removeAttribute("aria-current");
     at = Math.min(Math.max(index, 0), steps.length - 1);
     const step = steps[at], past = history(at);
     rows[at].classList.add("current");
+    rows[at].setAttribute("aria-current", "step");
+    reveal(rows[at]);
     element("status").textContent = `step ${step.number} of ${steps[steps.length - 1].number}`;
     const cells = rows[at].cells;
     element("recursion").textContent = cells[1].textContent;
@@ -91,6 +108,9 @@
     element("colour").dataset.levels = colour ? colour.levels.join(" ") : "";
     element("swatch").className = colour ? "swatch" : "swatch unknown";
     element("swatch").style.background = colour ? colour.css : "";
+    const waiting = `Calls: ${levels(past.calls)}, levels on the stack: ${levels(past.stack)}`;
+    const back = colour ? `colour ${colour.text}` : "no colour yet";
+    element("spoken").textContent = `${element("status").textContent}. The recursion: ${element("recursion").textContent}. The engine: ${element("engine").textContent}. ${waiting}, ${back}.`;
     for (const part of drawn) {
       const depth = Number(part.dataset.depth), leg = part.classList.contains("leg");
       part.classList.toggle("ahead", depth > past.deepest);
@@ -98,8 +118,22 @@
       part.classList.toggle("paid", leg && past.paid.has(depth));
       part.style.stroke = leg && past.paid.has(depth) ? past.paid.get(depth) : "";
     }
-    element("to-first").disabled = element("to-back").disabled = at === 0;
-    element("to-last").disabled = element("to-next").disabled = at === steps.length - 1;
+    // A disabled button would lose the focus.
+    const off = (button, is) => element(button).setAttribute("aria-disabled", is);
+    for (const button of ["to-first", "to-back"]) off(button, at === 0);
+    for (const button of ["to-next", "to-last"]) off(button, at === steps.length - 1);
+  }
+
+  // Gives the piles the height that they have when they are fullest.
+  function settle() {
+    const piles = [element("calls"), element("stack")], kinds = ["call", "hit"];
+    let high = 0;
+    for (const pile of piles) pile.style.height = "";
+    for (const kind of kinds) {
+      show(steps.findLastIndex((step) => step.kind === kind));
+      high = Math.max(high, ...piles.map((pile) => pile.offsetHeight));
+    }
+    for (const pile of piles) pile.style.height = `${high}px`;
   }
 
   // #last, or #step=N; anything else is the first.
@@ -127,5 +161,12 @@
   rows.forEach((row, index) => row.addEventListener("click", () => show(index)));
   window.addEventListener("hashchange", show_fragment);
   element("controls").hidden = element("now").hidden = false;
+  element("log-box").classList.add("stepped");
+  settle();
+  window.addEventListener("resize", () => {
+    const was = at;
+    settle();
+    show(was);
+  });
   show_fragment();
 })();
