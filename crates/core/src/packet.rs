@@ -112,6 +112,11 @@ pub(crate) struct TooDeep;
 
 /// The light that comes back along eye rays, those of `waves[0]`: in level 0 of the stack.
 /// `watch` sees the first of them go down and come up.
+///
+/// Down to level `BREADTH` all packets of a level are traced at once; there, one: packet 0 goes
+/// to the end of its path and is folded back to this level, then packet 1, and so on; the wave of
+/// this level, `waves[3]`, is not written meanwhile. When its last packet is back, folding goes
+/// on to level 0.
 #[inline(always)]
 pub(crate) fn trace<L: Lanes>(
     world: World<L::Scalar>,

@@ -72,6 +72,9 @@ impl<S: Lane> Surfaces<S> {
     }
 
     /// Collects all places where the primitive of that form was met.
+    ///
+    /// There are no more of them than packets: so many packets met it whole, and the single rays
+    /// come from others, eight of them at most. The list does not end before them.
     #[inline(always)]
     pub(crate) fn collect<L: Lanes<Scalar = S>, F: Form<S>>(&mut self, form: F, met: Met<S>) {
         let mut least = Vec3::all(L::constant(f64::INFINITY));

@@ -3,6 +3,10 @@
 //! Eight rays that met one primitive together go on together, as a packet. Rays that go on
 //! alone wait until they are eight, whichever primitives they left. So only the last packet of
 //! a wave of mirrored rays has lanes without a ray, its last ones.
+//!
+//! A wave has at most as many rays as the one above it, and all its packets but the last are
+//! full: so it never holds more than [`PACKETS`]. Indices are taken modulo that, here and in
+//! `hits`, to tell it to the compiler, which then checks no bounds.
 
 use crate::lanes::{LANES, Lane, Lanes, Mask};
 use crate::packet::NONE;
@@ -108,6 +112,7 @@ impl<S: Lane> Wave<S> {
     /// A further packet of eye rays, in a wave that holds no others: weights stay 1.
     #[inline(always)]
     pub(crate) fn push_eye<L: Lanes<Scalar = S>>(&mut self, direction: Vec3<L>, live: usize) {
+        debug_assert!(self.len < PACKETS);
         let packet = &mut self.packets[self.len % PACKETS];
         packet.direction = direction.to_arrays();
         packet.live = live as u32;
@@ -185,6 +190,7 @@ impl<S: Lane> Wave<S> {
         rays: &Mirrored<L>,
         pending: &'a mut [Pending<S>],
     ) -> &'a mut Pending<S> {
+        debug_assert!(self.len < PACKETS);
         let packet = &mut self.packets[self.len % PACKETS];
         packet.origin = rays.origin.to_arrays();
         packet.direction = rays.direction.to_arrays();
@@ -204,6 +210,7 @@ impl<S: Lane> Wave<S> {
     #[inline(always)]
     fn push_waiting<L: Lanes<Scalar = S>>(&mut self, pending: &mut [Pending<S>]) {
         let Waiting { rays, weight, k, parents } = &mut self.waiting;
+        debug_assert!(self.len < PACKETS);
         let packet = &mut self.packets[self.len % PACKETS];
         packet.origin = Vec3::<L>::from_arrays(&rays.origin).to_arrays();
         packet.direction = Vec3::<L>::from_arrays(&rays.direction).to_arrays();
