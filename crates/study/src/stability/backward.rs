@@ -24,7 +24,7 @@
 
 use catoptric_reference::truth::{Precision, TooDeep, Truth};
 use catoptric_scene::family::Draws;
-use catoptric_scene::{Draft, Scene, View};
+use catoptric_scene::{Draft, Scene, Transfer, View};
 use rayon::prelude::*;
 
 use super::exact::U;
@@ -56,6 +56,7 @@ const CHUNK: usize = 64;
 /// Truth of a scene, and how it moves.
 pub struct Judge {
     view: View,
+    transfer: Transfer,
     truth: Truth,
     /// Truth of moved scenes, each with its m.
     moved: Vec<(f64, Truth)>,
@@ -112,7 +113,8 @@ impl Judge {
             let way = direction(draws);
             [1.0, 2.0, 4.0].map(|size| way.map(|x| x * size * U))
         });
-        Ok(Self { view, truth, moved, nudges: nudges.collect(), pixels })
+        let transfer = scene.image.transfer;
+        Ok(Self { view, transfer, truth, moved, nudges: nudges.collect(), pixels })
     }
 
     /// Truth's picture.
@@ -132,7 +134,7 @@ impl Judge {
     /// # Panics
     /// If the picture is of another size.
     pub fn judge(&self, found: &[[f64; 3]]) -> Result<Backward, TooDeep> {
-        let raw = Metrics::of(found, &self.pixels);
+        let raw = Metrics::over(found, &self.pixels, self.transfer, |_| true);
         let errors = found.iter().zip(&self.pixels).map(|(a, b)| difference(a, b));
         let mut by_error: Vec<_> = errors.enumerate().collect();
         by_error.sort_by(|a, b| b.1.total_cmp(&a.1));
