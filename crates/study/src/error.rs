@@ -83,6 +83,11 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Report {
     }
     report.heading("Floors");
     report.table(floors);
+    for (subject, measured) in &parts {
+        for failure in measured.floors.iter().filter_map(floors::Floor::failure) {
+            report.text(format!("{}, {failure}.", subject.name));
+        }
+    }
     report.complete = !watch.stopped();
     report
 }

@@ -5,7 +5,7 @@ use catoptric_scene::Scene;
 use crate::Watch;
 use crate::formula::Formula;
 use crate::metrics::Metrics;
-use crate::report::{Cell, Column, Table};
+use crate::report::{Column, Table};
 use crate::stability::backward::{Backward, Judge};
 
 /// What a formula leaves at full depth.
@@ -35,7 +35,6 @@ const COLUMNS: &[Column] = &[
         heading: "backward, input",
         meaning: "The same when the whole scene is moved by that too.",
     },
-    Column { key: "note", heading: "note", meaning: "What failed." },
 ];
 
 /// By scene and formula.
@@ -50,16 +49,21 @@ pub(super) fn table() -> Table {
 }
 
 impl Floor {
+    /// What failed, in words.
+    pub(super) fn failure(&self) -> Option<String> {
+        let what = match self.backward {
+            None => "a path is deeper than a stack".to_owned(),
+            Some(Backward { raw, .. }) if raw.not_finite > 0 => {
+                format!("{} values are not finite, and left out", raw.not_finite)
+            }
+            Some(_) => return None,
+        };
+        Some(format!("{}: {what}", self.formula.name()))
+    }
+
     /// Adds it as a row.
     pub(super) fn push(&self, table: &mut Table, scene: &str) {
         let raw: Option<Metrics> = self.backward.map(|backward| backward.raw);
-        let note = match raw {
-            None => "a path is deeper than a stack".into(),
-            Some(raw) if raw.not_finite > 0 => {
-                format!("{} values are not finite", raw.not_finite).into()
-            }
-            Some(_) => Cell::Nothing,
-        };
         table.push([
             scene.into(),
             self.formula.name().into(),
@@ -68,7 +72,6 @@ impl Floor {
             raw.map(|raw| raw.off_by_more).into(),
             self.backward.map(|backward| backward.by_eye).into(),
             self.backward.map(|backward| backward.by_input).into(),
-            note,
         ]);
     }
 }
