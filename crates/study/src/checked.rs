@@ -85,12 +85,15 @@ pub fn check_then_time(
     let mut film = Film::new(grid.width, grid.height);
     let mut checked = Vec::new();
     let mut jobs = Vec::new();
-    for (g, group) in groups.iter().enumerate() {
+    'groups: for (g, group) in groups.iter().enumerate() {
         if watch.stopped() {
             break;
         }
         let expected = Expected::of(group.scene, grid, threads);
         for (w, &(way, count)) in group.ways.iter().enumerate() {
+            if watch.stopped() {
+                break 'groups;
+            }
             let render = || way.render(group.scene, grid, &mut film);
             let outcome = match (threads.time(count, render).0, &expected) {
                 (Err(_), _) => Outcome::TooDeep,

@@ -14,6 +14,7 @@ mod sample;
 mod size;
 mod sweep;
 mod truth;
+mod words;
 
 use crate::Watch;
 use crate::report::{Report, Table};
@@ -64,7 +65,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Report {
         for floor in &measured.floors {
             floor.push(&mut floors, &subject.name);
         }
-        if let Some(target) = request.target {
+        if let Some(target) = request.target.filter(|_| !measured.rows.is_empty()) {
             report.text(format!("{}: {}", subject.name, front::target(&measured.rows, target)));
         }
         parts.push((subject, measured));
@@ -73,6 +74,9 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Report {
     for (subject, measured) in &parts {
         report.heading(&subject.name);
         report.text(&measured.about);
+        if measured.rows.is_empty() {
+            continue;
+        }
         for line in front::words(&measured.rows) {
             report.text(line);
         }

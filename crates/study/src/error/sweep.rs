@@ -1,20 +1,18 @@
 //! The knobs, one at a time.
 
-use catoptric_scene::{Numerics, Scene, View};
+use catoptric_scene::{Scene, View};
 
 use super::floors::{self, Floor};
 use super::row::{Parts, Row, Sweep, Unflipped};
 use super::sample::Prepared;
 use super::truth::{self, Settled};
-use super::{Enough, Request, enough, size};
+use super::{Request, size, words};
 use crate::Watch;
 use crate::formula::Formula;
 use crate::light::LightBounds;
 use crate::metrics::Metrics;
-use crate::stability::paths::with_numerics;
 use crate::subject::Subject;
 use crate::timing::{Times, more_in_turn};
-use crate::tracer::Tracer;
 
 /// All of a scene.
 pub(super) struct Measured {
@@ -46,9 +44,9 @@ pub(super) fn measure(subject: &Subject, request: &Request, watch: &dyn Watch) -
         threads.install(|| floors::measure(scene, watch))
     };
     let mut about = study.truth.words();
-    about += &left_out_words(&subject.scene);
+    about += &words::left_out(&subject.scene);
     if !watch.stopped() {
-        about += &enough_words(&subject.scene, scene, request);
+        about += &words::enough_depths(&subject.scene, scene, request);
     }
 
     let mut runs = study.runs;
@@ -215,41 +213,4 @@ fn first_time(prepared: &mut Prepared, rendered: bool, request: &Request) -> Tim
 
 fn time(prepared: &mut Prepared, request: &Request) -> std::time::Duration {
     request.threads.time(request.timed_on, || prepared.render(request.tracer)).1
-}
-
-/// What of a scene's own settings the sweeps do without, in words.
-fn left_out_words(own: &Scene) -> String {
-    let weight = own.render.min_weight;
-    if weight > 0.0 {
-        format!(" The scene's own min_weight, {weight}, is left out of truth and of every sweep.")
-    } else {
-        String::new()
-    }
-}
-
-/// Which `max_depth` is enough for the scene with its own numerics and weight cut, in words.
-fn enough_words(own: &Scene, sized: &Scene, request: &Request) -> String {
-    let Tracer::Packet(isa) = request.tracer else { return String::new() };
-    let (numerics, weight) = (own.render.numerics, own.render.min_weight);
-    let mut draft = sized.clone().into_draft();
-    draft.render.min_weight = weight;
-    let scene = with_numerics(&draft, numerics);
-    let Ok(enough) = request.threads.most().install(|| enough(&scene, isa)) else {
-        return String::new();
-    };
-    let Enough { same_bits, within_a_level, deepest_ray, .. } = enough;
-    let cut = if weight > 0.0 {
-        format!("with the scene's min_weight, {weight}")
-    } else {
-        "without a weight cut".to_owned()
-    };
-    let formulas = match numerics {
-        Numerics::Robust => "robust",
-        Numerics::Textbook => "textbook",
-    };
-    format!(
-        " Of the f32 picture of that size, {formulas} formulas, {cut}: the deepest ray has {deepest_ray} \
-         reflections, max_depth {same_bits} gives the same bits as any deeper, {within_a_level} \
-         stays within one 8-bit level of it."
-    )
 }
