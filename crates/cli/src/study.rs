@@ -4,11 +4,13 @@ mod destination;
 mod options;
 mod subjects;
 
+use std::ffi::OsString;
+
 use catoptric_study::occasion::Occasion;
 use catoptric_study::report::Report;
 use catoptric_study::subject::Subject;
-use catoptric_study::timing::Repeat;
 use catoptric_study::tracer::{Threads, Tracer};
+use catoptric_study::way::Way;
 use catoptric_study::{Watch, depth, error, ladder, stability};
 
 use crate::exit::{Exit, Failure, say};
@@ -23,8 +25,6 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     interrupt::catch_the_second();
     let isa = machine::instruction_set()?;
     let common = options.study.common();
-    let destination = Destination::new(common)?;
-    let subjects = subjects::load(&common.scenes)?;
     let threads = match (&options.study, common.threads) {
         (Study::Ladder(_), None) => 1,
         (Study::Ladder(_), Some(2..)) => {
@@ -32,9 +32,18 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
                 "study ladder times on one thread: leave --threads out",
             ));
         }
+        (Study::Depth(_), None) => 2,
         (_, threads) => threads.map_or_else(machine::available_threads, |n| n as usize),
     };
-    let command = std::env::args().collect::<Vec<_>>().join(" ");
+    if common.scenes.is_empty() && !matches!(options.study, Study::Stability(_)) {
+        let study = options.study.name();
+        return Err(Failure::wrong_use(format_args!(
+            "study {study} needs a scene: name one or more"
+        )));
+    }
+    let subjects = subjects::load(&common.scenes)?;
+    let destination = Destination::new(common, options.study.name())?;
+    let command = command_line(std::env::args_os());
     let made = Occasion::now(isa, threads, command);
     let pools = pools([1, threads])?;
 
@@ -69,18 +78,16 @@ fn study_depth(
     isa: catoptric_core::Isa,
     watch: &dyn Watch,
 ) -> Result<Report, Failure> {
-    some("depth", subjects)?;
-    let tracers: Vec<Tracer> = options
-        .engines
-        .iter()
-        .map(|engine| match engine {
+    let way = |engine: &Engine| {
+        Way::Tracer(match engine {
             Engine::Recursive => Tracer::Recursive,
             Engine::Packet => Tracer::Packet(isa),
         })
-        .collect();
-    let repeat = options.repeat.map_or(Repeat::Enough, Repeat::Times);
-    let depths = &options.depths;
-    let request = depth::Request { subjects, depths, tracers: &tracers, threads, repeat, isa };
+    };
+    let ways: Vec<Way> = without_repeats(&options.engines).iter().map(way).collect();
+    let depths = &without_repeats(&options.depths);
+    let repeat = options.timed.repeat();
+    let request = depth::Request { subjects, depths, ways: &ways, threads, repeat, isa };
     depth::run(&request, watch).map_err(Failure::failed)
 }
 
@@ -91,8 +98,7 @@ fn study_error(
     isa: catoptric_core::Isa,
     watch: &dyn Watch,
 ) -> Result<Report, Failure> {
-    some("error", subjects)?;
-    let repeat = options.repeat.map_or(Repeat::Enough, Repeat::Times);
+    let repeat = options.timed.repeat();
     let (tracer, target) = (Tracer::Packet(isa), options.target_error);
     // Truth takes minutes, and nobody times it.
     let threads = &pools([timed_on, machine::available_threads()])?;
@@ -107,18 +113,32 @@ fn study_ladder(
     isa: catoptric_core::Isa,
     watch: &dyn Watch,
 ) -> Result<Report, Failure> {
-    some("ladder", subjects)?;
-    let repeat = options.repeat.map_or(Repeat::Enough, Repeat::Times);
+    let repeat = options.timed.repeat();
     Ok(ladder::run(&ladder::Request { subjects, threads, repeat, isa }, watch))
 }
 
-fn some(study: &str, subjects: &[Subject]) -> Result<(), Failure> {
-    if subjects.is_empty() {
-        return Err(Failure::wrong_use(format_args!(
-            "study {study} needs a scene: name one or more"
-        )));
+/// The first of equals, in the order in which they were asked for.
+fn without_repeats<T: Copy + PartialEq>(asked: &[T]) -> Vec<T> {
+    let mut once = Vec::new();
+    for &one in asked {
+        if !once.contains(&one) {
+            once.push(one);
+        }
     }
-    Ok(())
+    once
+}
+
+/// The command line as a shell takes it. What is no text is shown with U+FFFD in its place.
+fn command_line(arguments: impl Iterator<Item = OsString>) -> String {
+    let quoted = |argument: OsString| {
+        let text = argument.to_string_lossy();
+        let plain = |c: char| c.is_alphanumeric() || "-_./,:=+@%\u{fffd}".contains(c);
+        if !text.is_empty() && text.chars().all(plain) {
+            return text.into_owned();
+        }
+        format!("'{}'", text.replace('\'', "'\\''"))
+    };
+    arguments.map(quoted).collect::<Vec<_>>().join(" ")
 }
 
 /// What a study is told of signals, and what it says meanwhile.

@@ -12,18 +12,18 @@ use crate::program::Folder;
 const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
 /// What a browser made of a page.
-struct Opened {
+pub(crate) struct Opened {
     /// The document after it was loaded, as HTML.
-    document: String,
+    pub(crate) document: String,
     /// What the browser had to say about it: errors, and requests that the page's own policy
     /// refuses.
-    console: Vec<String>,
+    pub(crate) console: Vec<String>,
     /// What it looks like.
-    screen: image::RgbImage,
+    pub(crate) screen: image::RgbImage,
 }
 
 /// Opens a page; `None` where there is no browser, which is said.
-fn open(folder: &Folder, page: &str) -> Option<Opened> {
+pub(crate) fn open(folder: &Folder, page: &str) -> Option<Opened> {
     let has = |name: &&&str| Command::new(name).arg("--version").output().is_ok();
     let Some(browser) = BROWSERS.iter().find(has) else {
         let required = std::env::var_os("CATOPTRIC_REQUIRE_TOOLS").is_some();
@@ -60,7 +60,7 @@ fn a_study_s_page_shows_its_plots_and_asks_for_nothing() {
     folder.done("study depth scene.toml --depths 0,1,2 --repeat 1 -o deep --quiet");
     let Some(opened) = open(&folder, "deep/index.html") else { return };
     assert_eq!(opened.console, [""; 0]);
-    assert_eq!(opened.document.matches("<svg").count(), 3);
+    assert_eq!(opened.document.matches("<svg").count(), 4);
     assert!(opened.document.contains("Cost against depth"));
     // The first curve's colour is on the screen.
     let blue = opened.screen.pixels().filter(|pixel| pixel.0 == [0x00, 0x72, 0xb2]).count();

@@ -146,3 +146,23 @@ fn a_study_keeps_what_it_has_measured() {
         assert!(folder.read("out/index.html").windows(11).any(|w| w == b"Interrupted"));
     }
 }
+
+/// Of a study that is still preparing, what is kept has a time, and the end is not far.
+#[test]
+fn a_study_is_interrupted_while_it_prepares() {
+    let folder = Folder::new();
+    // Minutes, if nothing interrupts it.
+    folder.done("generate room --width 400 --height 400 -o room.toml");
+    let child = start(&folder, "study error room.toml -o out");
+    wait_for_handler(&child);
+    sleep(Duration::from_millis(1500));
+    let begun = Instant::now();
+    interrupt(child, "INT");
+    assert!(begun.elapsed() < Duration::from_secs(3), "{:?}", begun.elapsed());
+    let json: serde_json::Value =
+        serde_json::from_slice(&folder.read("out/error.json")).expect("JSON");
+    assert_eq!(json["complete"], false);
+    for row in json["rows"].as_array().expect("rows") {
+        assert!(row["min_ms"].as_f64().is_some(), "{row}");
+    }
+}

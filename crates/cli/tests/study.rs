@@ -2,13 +2,14 @@
 
 use serde_json::Value;
 
+use crate::browser::open;
 use crate::program::{Folder, Ran};
 
 const PAGE: &str = "index.html";
 
 fn rows(ran: &Ran) -> Vec<Value> {
     let json = ran.json();
-    assert_eq!((&json["schema"], &json["version"]), (&"catoptric-study".into(), &1.into()));
+    assert_eq!((&json["schema"], &json["version"]), (&"catoptric-study".into(), &2.into()));
     json["rows"].as_array().expect("rows").clone()
 }
 
@@ -95,6 +96,82 @@ fn a_path_deeper_than_the_stack_is_a_row_with_a_note() {
     assert!(deep[1]["min_ms"].as_f64().is_some(), "{}", deep[1]);
 }
 
+/// Every depth and engine once, by default on 1 and on 2 threads.
+#[test]
+fn what_is_asked_for_twice_is_measured_once() {
+    let folder = Folder::new();
+    let asked = "study depth scene.toml --depths 2,0,2 --engines packet,packet --repeat 1 --json";
+    let rows = rows(&folder.done(asked));
+    let key = |row: &Value| (row["depth"].as_u64(), row["threads"].as_u64());
+    let keys: Vec<_> = rows.iter().map(key).collect();
+    let expected = [(2, 1), (2, 2), (0, 1), (0, 2)].map(|(depth, n)| (Some(depth), Some(n)));
+    assert_eq!(keys, expected);
+}
+
+/// The portable engine is compared with the loop, not with itself.
+#[test]
+fn past_the_recursion_s_stack_the_loop_says_what_is_right() {
+    let folder = Folder::new();
+    folder.done("generate room --reflect 1 --width 1 --height 1 -o room.toml");
+    let asked = "study depth room.toml --depths 100001 --engines packet --repeat 1 --json";
+    let ran = folder.run_with(asked, "", &[("CATOPTRIC_ISA", "portable")]);
+    for row in rows(&ran) {
+        assert_eq!(row["note"], "compared with the ladder's loop: too deep for the recursion");
+        assert!(row["min_ms"].as_f64().is_some(), "{row}");
+    }
+}
+
+/// Arguments that a shell would split are quoted; what is no text does not stop the study.
+#[test]
+fn the_command_line_is_that_of_a_shell() {
+    let folder = Folder::new();
+    let asked = "study depth 'my scene.toml' --depths 0 --repeat 1 --engines packet --json";
+    let ran = folder.shell(&format!("cp scene.toml 'my scene.toml' && catoptric {asked}"));
+    let command = ran.json()["made"]["command"].as_str().expect("the command line").to_owned();
+    assert!(command.ends_with(asked), "{command}");
+
+    let name = "\"$(printf 'a\\377.toml')\"";
+    let line = format!(
+        "cp scene.toml {name} && catoptric study depth {name} --depths 0 --repeat 1 --json"
+    );
+    let ran = folder.shell(&line);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let command = ran.json()["made"]["command"].as_str().expect("the command line").to_owned();
+    assert!(command.contains("study depth a\u{fffd}.toml --depths"), "{command}");
+}
+
+/// Files of the earlier report that are not written again go, others stay.
+#[test]
+fn a_folder_written_twice_holds_one_report() {
+    let folder = Folder::new();
+    folder.done("generate room --width 4 --height 4 -o room.toml");
+    let asked = "--depths 1 --repeat 1 --threads 1 -q -o deep";
+    folder.done(&format!("study depth room.toml scene.toml {asked}"));
+    folder.write("deep/notes.txt", "mine");
+    folder.write("deep/mine.json", "{}");
+    let has = |name: &str| folder.path(&format!("deep/{name}")).exists();
+    assert!(has("depth-room-time.svg") && has("depth-scene-time.svg"));
+    folder.done(&format!("study depth scene.toml {asked}"));
+    assert!(!has("depth-room-time.svg") && has("depth-scene-time.svg"));
+    assert!(has("notes.txt") && has("mine.json") && has("depth.csv"));
+
+    // Another study's page would take the place of this one's.
+    let page = folder.read("deep/index.html");
+    let ran = folder.run("study ladder scene.toml --repeat 1 -o deep");
+    assert_eq!(ran.code, Some(4), "{}", ran.stderr);
+    assert!(ran.stderr.contains("holds a report of study depth"), "{}", ran.stderr);
+    assert_eq!(folder.read("deep/index.html"), page);
+
+    // A list that names files elsewhere is not followed.
+    let json = String::from_utf8(folder.read("deep/depth.json")).expect("text");
+    let elsewhere = json.replace("\"depth.csv\",", "\"../scene.toml\", \"../room.csv\",");
+    assert_ne!(json, elsewhere);
+    folder.write("room.csv", "mine");
+    folder.write("deep/depth.json", elsewhere);
+    folder.done(&format!("study depth room.toml {asked}"));
+    assert!(folder.path("scene.toml").exists() && folder.path("room.csv").exists());
+}
+
 #[test]
 fn error_rows_fall_to_the_floor_and_stay_below_their_bounds() {
     let folder = Folder::new();
@@ -103,9 +180,14 @@ fn error_rows_fall_to_the_floor_and_stay_below_their_bounds() {
     let rows = rows(&ran);
     let number = |row: &Value, key: &str| row[key].as_f64();
     for row in rows.iter().filter(|row| row["sweep"] != "samples") {
-        let (error, bound) = (number(row, "max_unflipped"), number(row, "bound"));
-        assert!(error <= bound, "{row}");
+        let known = |key: &str| number(row, key).unwrap_or_else(|| panic!("{key} of {row}"));
+        assert!(known("truncation") <= known("bound_truncation"), "{row}");
+        assert!(known("max_unflipped") <= known("bound"), "{row}");
+        assert_eq!(known("bound"), known("bound_truncation") + known("floor"), "{row}");
+        assert_eq!(row["not_finite"], 0);
+        assert!(row["front"].is_boolean(), "{row}");
     }
+    assert!(rows.iter().all(|row| row["sweep"] != "samples" || row["front"].is_null()));
     let robust = |formula: &str| {
         let depths = rows.iter().filter(|r| r["sweep"] == "depth" && r["formula"] == formula);
         let errors = depths.map(|row| number(row, "max").expect("a number"));
@@ -115,8 +197,28 @@ fn error_rows_fall_to_the_floor_and_stay_below_their_bounds() {
     assert!(single[0] > 0.01 && *single.last().expect("rows") < 1e-4, "{single:?}");
     assert!(*double.last().expect("rows") < 1e-10, "{double:?}");
     let notes = ran.json()["notes"].to_string();
-    assert!(notes.contains("RMSE at most 0.01, as asked: "), "{notes}");
-    assert!(rows.iter().any(|row| row["front"] == "yes"));
+    assert!(notes.contains("scene: RMSE at most 1e-2, as asked: cheapest is "), "{notes}");
+    assert!(rows.iter().any(|row| row["front"] == true));
+}
+
+#[test]
+fn the_error_study_s_page_holds_its_plots_and_asks_for_nothing() {
+    let folder = Folder::new();
+    folder.done("study error scene.toml --repeat 1 -o error --quiet");
+    let Some(opened) = open(&folder, "error/index.html") else { return };
+    assert_eq!(opened.console, [""; 0]);
+    assert_eq!(opened.document.matches("<svg").count(), 4);
+    for words in ["Error against run time", "The front, which nothing cheaper beats: "] {
+        assert!(opened.document.contains(words), "{words}");
+    }
+    // Each plot but that of samples has its curves: three formulas, each in its colour.
+    for plot in ["work-precision", "depth", "weight"] {
+        let drawing = opened.document.split_once(&format!("id=\"error-scene-{plot}\""));
+        let drawing = drawing.and_then(|(_, rest)| rest.split_once("</svg>")).expect(plot).0;
+        for colour in ["#0072b2", "#d55e00", "#009e73"] {
+            assert!(drawing.matches(colour).count() > 3, "{plot}: {colour}");
+        }
+    }
 }
 
 #[test]
@@ -128,8 +230,8 @@ fn every_rung_of_the_ladder_is_checked_and_timed() {
     assert_eq!(names, ["r0", "r1", "r2", "r3", "r4", "r5", "forward"]);
     let number = |row: &Value, key: &str| row[key].as_f64().unwrap_or_else(|| panic!("{key}"));
     for (i, row) in all.iter().enumerate() {
-        assert_eq!(row["bit_identical"] == "yes", number(row, "different") == 0.0, "{row}");
-        assert!(row["rung"] == "forward" || row["bit_identical"] == "yes", "{row}");
+        assert_eq!(row["bit_identical"] == true, number(row, "different") == 0.0, "{row}");
+        assert!(row["rung"] == "forward" || row["bit_identical"] == true, "{row}");
         assert_eq!(row["runs"], 2);
         assert!(number(row, "lines") > 5.0 && number(row, "ns_per_ray") > 0.0, "{row}");
         let (native, own) = (number(row, "native_stack_bytes"), number(row, "own_stack_bytes"));
@@ -166,7 +268,7 @@ fn deep_paths_show_which_rungs_stand_on_the_native_stack() {
         assert_eq!(own, level.map(|level| 3000 * level), "{row}");
     }
     // Associativity fails for most of such sums.
-    assert_eq!(rows[6]["bit_identical"], "no");
+    assert_eq!(rows[6]["bit_identical"], false);
 
     folder.done("generate room --reflect 1 --width 1 --height 1 --max-depth 100001 -o room.toml");
     let ran = folder.done("study ladder room.toml --repeat 1 --json");
@@ -178,7 +280,7 @@ fn deep_paths_show_which_rungs_stand_on_the_native_stack() {
     // Nobody can be compared with the recursion then, and r3 not with itself.
     assert!(rows[3]["bit_identical"].is_null() && rows[3]["note"].is_null(), "{}", rows[3]);
     for row in &rows[4..] {
-        assert_eq!(row["bit_identical"] == "yes", row["rung"] != "forward", "{row}");
+        assert_eq!(row["bit_identical"] == true, row["rung"] != "forward", "{row}");
         let note = row["note"].as_str().expect("a note");
         assert_eq!(note, "compared with r3: the recursion's stack does not hold a path");
     }
@@ -201,10 +303,12 @@ fn the_waterfall_goes_over_the_loop() {
     let first = [
         "the recursion",
         "a scalar loop with an explicit stack",
+        "eight rays in turn, with masks",
         "eight portable lanes, nothing left out",
     ];
-    assert_eq!(steps[..3], first);
-    assert!(steps.contains(&"what the scene does not need left out"), "{steps:?}");
+    assert_eq!(steps[..4], first);
+    let last = ["directions that nobody asks for left out", "2 threads"];
+    assert!(steps.ends_with(&last), "{steps:?}");
 }
 
 #[test]
@@ -224,6 +328,9 @@ fn what_cannot_be_meant_is_refused_before_anything_is_measured() {
         ("study depth scene.toml --repeat 0", 2, "--repeat"),
         ("study error scene.toml --target-error 0", 2, "--target-error"),
         ("study depth missing.toml", 3, "missing.toml"),
+        ("study depth missing.toml -o new", 3, "missing.toml"),
+        ("study depth scene.toml -o -", 2, "--json"),
+        ("study depth -o new", 2, "study depth needs a scene"),
         ("study depth scene.toml -o file", 4, "file"),
         ("study depth scene.toml -o file/deep", 4, "file/deep"),
     ] {
@@ -231,6 +338,8 @@ fn what_cannot_be_meant_is_refused_before_anything_is_measured() {
         assert_eq!(ran.code, Some(code), "{arguments}: {}", ran.stderr);
         assert!(ran.stderr.contains(says), "{arguments}: {}", ran.stderr);
         assert!(ran.stdout.is_empty(), "{arguments}");
+        let names: Vec<String> = folder.contents().into_keys().collect();
+        assert_eq!(names, ["file", "scene.toml"], "{arguments}");
     }
 }
 

@@ -12,18 +12,20 @@
 //! tracer.rs       who traces, on how many threads
 //! way.rs          ways to trace a picture: renderers and rungs
 //! timing.rs       how long it takes, in turn
+//! checked.rs      pictures are compared before their making is timed
 //! formula.rs      which formulas, in which precision
 //! omissions.rs    what each omission of a plan saves
 //! light.rs        how much light a scene can hold
 //! depth.rs        cost against depth
-//!   depth/          its plots, the rays of each depth, where the speed comes from
+//!   depth/          its rows and plots, the rays of each depth, where the speed comes from
 //! ladder.rs       what each step from the recursion to the engine costs and buys
 //! error.rs        error against run time
-//!   error/          its sweeps, truth, the settings that are worth their time
+//!   error/          its rows and sweeps, truth, the settings that are worth their time
 //! stability.rs    stiff and extreme cases against truth
 //!   stability/      its cases and its measures
 //! ```
 
+pub mod checked;
 pub mod depth;
 pub mod error;
 pub mod formula;

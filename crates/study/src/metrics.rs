@@ -23,19 +23,35 @@ pub struct Metrics {
 }
 
 impl Metrics {
-    /// Measures `found` against `truth`, pixel by pixel.
+    /// Measures `found` against `truth`, pixel by pixel, with the levels of linear pictures.
     ///
     /// # Panics
     /// If they are not equally many.
     #[must_use]
     pub fn of(found: &[[f64; 3]], truth: &[[f64; 3]]) -> Self {
+        Self::over(found, truth, Transfer::Linear, |_| true)
+    }
+
+    /// Measures those pixels whose index `counts`, with that transfer's levels. All are 0 where
+    /// no pixel counts.
+    ///
+    /// # Panics
+    /// If they are not equally many.
+    #[must_use]
+    pub fn over(
+        found: &[[f64; 3]],
+        truth: &[[f64; 3]],
+        transfer: Transfer,
+        counts: impl Fn(usize) -> bool,
+    ) -> Self {
         assert_eq!(found.len(), truth.len(), "pictures of one size");
-        let quantiser = Quantiser::new(Transfer::Linear);
+        let quantiser = Quantiser::new(transfer);
         let levels = |pixel: &[f64; 3]| pixel.map(|channel| quantiser.level(f32::rounded(channel)));
         let (mut squares, mut channels, mut not_finite) = (0.0, 0_u64, 0);
         let (mut off, mut off_by_more) = (0, 0);
         let mut largest = Vec::with_capacity(found.len());
-        for (found, truth) in found.iter().zip(truth) {
+        let pairs = found.iter().zip(truth).enumerate();
+        for (_, (found, truth)) in pairs.filter(|(index, _)| counts(*index)) {
             let mut of_pixel = 0.0_f64;
             for (found, truth) in found.iter().zip(truth) {
                 if !found.is_finite() {

@@ -13,7 +13,7 @@ mod table;
 
 pub use files::{File, files};
 pub use html::escaped;
-pub use json::document;
+pub use json::{SCHEMA, document};
 pub use markdown::summary;
 pub use picture::Picture;
 pub use plot::{Plot, Scale, Series};

@@ -1,18 +1,27 @@
 //! How long things take, in turn, so that what the machine does meanwhile hits all alike.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::Watch;
 
 /// How often each thing is run.
 #[derive(Clone, Copy, Debug)]
 pub enum Repeat {
-    /// At least 20 times or for 2 seconds, whichever is less (the practice of work-precision
-    /// diagrams, where a run of over 2 s is made once).
+    /// 20 times, but not again once a run has taken over [`LONG`] (the practice of
+    /// work-precision diagrams), and in turn no longer than [`LONGEST`].
     Enough,
     /// That many times.
     Times(u32),
 }
+
+/// A run of more than that is not made again.
+pub const LONG: Duration = Duration::from_secs(2);
+
+/// After that long no thing is run again that was run once. All things in turn together.
+pub const LONGEST: Duration = Duration::from_secs(600);
+
+/// Above that ratio of median to minimum the machine was not quiet.
+const QUIET: f64 = 1.5;
 
 /// The times of one thing.
 #[derive(Clone, Debug, Default)]
@@ -43,6 +52,12 @@ impl Times {
         Some((ms(*low) + ms(*high)) / 2.0)
     }
 
+    /// The median over the minimum.
+    #[must_use]
+    pub fn spread(&self) -> Option<f64> {
+        Some(self.median_ms()? / self.min_ms()?)
+    }
+
     /// Adds a run.
     pub fn add(&mut self, time: Duration) {
         self.runs.push(time);
@@ -50,9 +65,7 @@ impl Times {
 
     fn enough(&self, repeat: Repeat) -> bool {
         match repeat {
-            Repeat::Enough => {
-                self.runs.len() >= 20 || self.runs.iter().sum::<Duration>().as_secs() >= 2
-            }
+            Repeat::Enough => self.runs.len() >= 20 || self.runs.iter().any(|run| *run > LONG),
             Repeat::Times(times) => self.runs.len() >= times as usize,
         }
     }
@@ -66,13 +79,25 @@ pub fn in_turn(
     count: usize,
     repeat: Repeat,
     watch: &dyn Watch,
+    run: impl FnMut(usize) -> Option<Duration>,
+) -> Vec<Times> {
+    more_in_turn(vec![Times::default(); count], repeat, watch, run)
+}
+
+/// [`in_turn`] of things of which some have been run before.
+pub fn more_in_turn(
+    mut times: Vec<Times>,
+    repeat: Repeat,
+    watch: &dyn Watch,
     mut run: impl FnMut(usize) -> Option<Duration>,
 ) -> Vec<Times> {
-    let mut times = vec![Times::default(); count];
-    let mut waiting: Vec<usize> = (0..count).collect();
+    let begun = Instant::now();
+    let late = || matches!(repeat, Repeat::Enough) && begun.elapsed() > LONGEST;
+    let mut waiting: Vec<usize> = (0..times.len()).collect();
+    waiting.retain(|&i| !times[i].enough(repeat));
     while !waiting.is_empty() {
         waiting.retain(|&i| {
-            if watch.stopped() {
+            if watch.stopped() || (times[i].runs() > 0 && late()) {
                 return false;
             }
             let Some(time) = run(i) else { return false };
@@ -81,6 +106,20 @@ pub fn in_turn(
         });
     }
     times
+}
+
+/// Says, where the machine was not quiet, how far it was from that.
+#[must_use]
+pub fn noise<'a>(times: impl IntoIterator<Item = &'a Times>) -> Option<String> {
+    let spreads: Vec<f64> = times.into_iter().filter_map(Times::spread).collect();
+    let noisy: Vec<f64> = spreads.iter().copied().filter(|spread| *spread > QUIET).collect();
+    let worst = noisy.iter().copied().max_by(f64::total_cmp)?;
+    Some(format!(
+        "The machine was not quiet: of {} rows {} have a median of more than {QUIET} times the \
+         minimum, {worst:.1} times at most.",
+        spreads.len(),
+        noisy.len(),
+    ))
 }
 
 fn ms(time: Duration) -> f64 {

@@ -1,6 +1,6 @@
 //! Ways to trace a picture in f32: the two renderers, and what leads from one to the other.
 
-use catoptric_core::{Isa, Plan, Settings, render_planned};
+use catoptric_core::{Isa, Omission, Plan, Settings, render_planned};
 use catoptric_ladder::Rung;
 use catoptric_scene::{Compiled, Counts, Film, Grid};
 
@@ -13,6 +13,8 @@ pub enum Way {
     Tracer(Tracer),
     /// The packet engine with a plan that leaves nothing out.
     Everything(Isa),
+    /// The packet engine with a plan that makes no other omissions than these.
+    Omitting(Isa, &'static [Omission]),
     /// A rung of the ladder; the instruction set is the engine's.
     Rung(&'static Rung, Isa),
 }
@@ -23,7 +25,7 @@ impl Way {
     pub fn name(self) -> &'static str {
         match self {
             Self::Tracer(tracer) => tracer.name(),
-            Self::Everything(isa) => Tracer::Packet(isa).name(),
+            Self::Everything(isa) | Self::Omitting(isa, _) => Tracer::Packet(isa).name(),
             Self::Rung(rung, _) => rung.name,
         }
     }
@@ -33,12 +35,17 @@ impl Way {
     /// # Errors
     /// A path too deep for its stack.
     pub fn render(self, scene: &Compiled, grid: &Grid, film: &mut Film) -> Result<Counts, TooDeep> {
+        let packets = |isa, plan: &Plan, film: &mut Film| {
+            let settings = Settings { isa, stack_limit: STACK_LIMIT };
+            render_planned(scene, plan, grid, film, settings, &|_| {}).map_err(|_| TooDeep)
+        };
         match self {
             Self::Tracer(tracer) => tracer.render(scene, grid, film),
-            Self::Everything(isa) => {
-                let plan = Plan::everything(scene, grid);
-                let settings = Settings { isa, stack_limit: STACK_LIMIT };
-                render_planned(scene, &plan, grid, film, settings, &|_| {}).map_err(|_| TooDeep)
+            Self::Everything(isa) => packets(isa, &Plan::everything(scene, grid), film),
+            Self::Omitting(isa, omissions) => {
+                let mut plan = Plan::new(scene, grid);
+                plan.omitted.retain(|omission| omissions.contains(omission));
+                packets(isa, &plan, film)
             }
             Self::Rung(rung, isa) => {
                 let settings = Settings { isa, stack_limit: STACK_LIMIT };

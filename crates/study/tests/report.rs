@@ -83,7 +83,7 @@ fn every_block_has_its_files() {
 fn json_holds_every_digit_and_null_for_what_is_no_number() {
     let json: serde_json::Value = serde_json::from_str(&text("sample.json")).expect("JSON");
     assert_eq!(json["schema"], "catoptric-study");
-    assert_eq!(json["version"], 1);
+    assert_eq!(json["version"], 2);
     assert_eq!(json["study"], "sample");
     assert_eq!(json["complete"], true);
     assert_eq!(json["rows"][0]["scene"], "a, \"b\" | c");
@@ -94,6 +94,19 @@ fn json_holds_every_digit_and_null_for_what_is_no_number() {
     assert_eq!(json["tables"][0]["name"], "second");
     assert_eq!(json["tables"][0]["rows"][0]["max_error"], 1.25e-9);
     assert_eq!(json["plots"][1]["series"][0]["points"][0][1], 1e-3);
+    assert_eq!(json["plots"][1]["series"][0]["dashed"], false);
+    assert_eq!(json["plots"][1]["series"][1]["dashed"], true);
+    let columns = json["columns"].as_array().expect("columns");
+    assert_eq!(columns.len(), 3);
+    assert_eq!(
+        (&columns[2]["key"], &columns[2]["meaning"]),
+        (&"rays".into(), &"All of them.".into())
+    );
+    assert_eq!(json["tables"][0]["columns"], json["columns"]);
+    // The folder's files, to be known again.
+    let names: Vec<String> =
+        files(&sample(), &occasion()).into_iter().map(|file| file.name).collect();
+    assert_eq!(json["files"], serde_json::Value::from(names));
     assert_eq!(json["made"]["command"], "catoptric study sample");
 }
 
@@ -143,6 +156,59 @@ fn an_interrupted_report_says_so() {
         let text = String::from_utf8_lossy(&file.bytes);
         let said = text.contains("Interrupted") || text.contains("\"complete\": false");
         assert!(said, "{}", file.name);
+    }
+}
+
+#[test]
+fn yes_and_no_are_words_for_people_and_truths_for_machines() {
+    let mut report = Report::new("sample", "Truths");
+    let mut table = Table::new("sample", COLUMNS, "Rows.");
+    table.push([true.into(), false.into(), Cell::from(None::<bool>)]);
+    report.table(table);
+    let document = report::document(&report, &occasion());
+    let json: serde_json::Value = serde_json::from_str(&document).expect("JSON");
+    assert_eq!(
+        (&json["rows"][0]["scene"], &json["rows"][0]["max_error"]),
+        (&true.into(), &false.into())
+    );
+    assert!(json["rows"][0]["rays"].is_null());
+    let files = files(&report, &occasion());
+    let file = |name: &str| {
+        let file = files.iter().find(|file| file.name == name).expect("that file");
+        String::from_utf8(file.bytes.clone()).expect("text")
+    };
+    assert!(file("sample.csv").ends_with("\ntrue,false,\n"));
+    assert!(file("sample.md").contains("| yes   | no            | -    |"));
+}
+
+/// Depths 0, 1, 3 and 7 stand equally far apart.
+#[test]
+fn depths_are_drawn_by_doublings() {
+    let mut report = Report::new("sample", "Depths");
+    let points = [0.0, 1.0, 3.0, 7.0].map(|depth| (depth, 1.0 + depth)).to_vec();
+    report.plot(Plot {
+        name: "depths".to_owned(),
+        title: String::new(),
+        caption: String::new(),
+        x: "depth".to_owned(),
+        y: "ms".to_owned(),
+        x_scale: Scale::Doublings,
+        y_scale: Scale::Log,
+        series: vec![Series { name: "a".to_owned(), points, dashed: false }],
+    });
+    let files = files(&report, &occasion());
+    let drawing = files.iter().find(|file| file.name == "depths.svg").expect("a plot");
+    let drawing = String::from_utf8(drawing.bytes.clone()).expect("text");
+    // The marks' places: circles in the order of the points; the legend's is the last.
+    let places = drawing
+        .split("<circle cx=\"")
+        .skip(1)
+        .map(|rest| rest.split('"').next().and_then(|x| x.parse::<f64>().ok()).expect("a place"));
+    let places: Vec<f64> = places.take(4).collect();
+    let steps: Vec<f64> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    assert!(steps[0] > 20.0 && steps.iter().all(|step| (step - steps[0]).abs() < 0.1), "{steps:?}");
+    for label in [">0<", ">1<", ">3<", ">7<"] {
+        assert!(drawing.contains(label), "{label}");
     }
 }
 

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use catoptric_study::depth::DEPTHS;
+use catoptric_study::timing::Repeat;
 use clap::{Args, Subcommand};
 
 use crate::render::Engine;
@@ -43,7 +44,8 @@ pub(super) struct Common {
     #[arg(long)]
     pub(super) json: bool,
 
-    /// Threads that trace, 1 to 1024 [default: as many as the system can run at once]
+    /// Threads that trace, 1 to 1024; `depth` times on one thread too [default: as many as the
+    /// system can run at once; `depth`: 2; `ladder`: 1]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
           value_parser = whole::<1, 1024>)]
     pub(super) threads: Option<u32>,
@@ -53,10 +55,26 @@ pub(super) struct Common {
     pub(super) quiet: bool,
 }
 
+/// How often a study that times does so.
+#[derive(Args, Clone, Copy, Debug)]
+pub(super) struct Timed {
+    /// Time each that many times [default: 20 times, once where a run takes over 2 s, and no
+    /// more than ten minutes a scene]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = whole::<1, 1_000_000>)]
+    repeat: Option<u32>,
+}
+
+impl Timed {
+    pub(super) fn repeat(self) -> Repeat {
+        self.repeat.map_or(Repeat::Enough, Repeat::Times)
+    }
+}
+
 /// Time, rays and speed-up against the depth of reflections
 ///
-/// Every picture is compared with the recursion's, bit for bit, before it is timed; a
-/// difference ends the study with exit code 1.
+/// Every picture is compared with the recursion's, bit for bit, and its ray counts too, before
+/// it is timed; a difference ends the study with exit code 1.
 #[derive(Args, Debug)]
 pub(super) struct DepthOptions {
     #[command(flatten)]
@@ -72,10 +90,8 @@ pub(super) struct DepthOptions {
           default_values_t = [Engine::Recursive, Engine::Packet])]
     pub(super) engines: Vec<Engine>,
 
-    /// Time each that many times [default: 20 times, or as often as 2 s allow]
-    #[arg(long, value_name = "N", allow_negative_numbers = true,
-          value_parser = whole::<1, 1_000_000>)]
-    pub(super) repeat: Option<u32>,
+    #[command(flatten)]
+    pub(super) timed: Timed,
 }
 
 /// Error against time of tracing: depth, weight cut, samples, formulas, precision
@@ -87,14 +103,12 @@ pub(super) struct ErrorOptions {
     #[command(flatten)]
     pub(super) common: Common,
 
-    /// Name the cheapest setting with an RMSE of at most X, linear
+    /// Find and name the cheapest setting with an RMSE of at most X, linear
     #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = target_error)]
     pub(super) target_error: Option<f64>,
 
-    /// Time each setting that many times [default: 20 times, or as often as 2 s allow]
-    #[arg(long, value_name = "N", allow_negative_numbers = true,
-          value_parser = whole::<1, 1_000_000>)]
-    pub(super) repeat: Option<u32>,
+    #[command(flatten)]
+    pub(super) timed: Timed,
 }
 
 /// From the recursion to the engine, rung by rung: bits, speed, stack, lines
@@ -106,10 +120,8 @@ pub(super) struct LadderOptions {
     #[command(flatten)]
     pub(super) common: Common,
 
-    /// Time each that many times [default: 20 times, or as often as 2 s allow]
-    #[arg(long, value_name = "N", allow_negative_numbers = true,
-          value_parser = whole::<1, 1_000_000>)]
-    pub(super) repeat: Option<u32>,
+    #[command(flatten)]
+    pub(super) timed: Timed,
 }
 
 /// Stiff and extreme cases against truth: where the numerics hold, and where nothing can
@@ -129,6 +141,16 @@ fn target_error(text: &str) -> Result<f64, &'static str> {
 }
 
 impl Study {
+    /// Its name on the command line, and that of its files.
+    pub(super) fn name(&self) -> &'static str {
+        match self {
+            Self::Depth(_) => "depth",
+            Self::Error(_) => "error",
+            Self::Ladder(_) => "ladder",
+            Self::Stability(_) => "stability",
+        }
+    }
+
     pub(super) fn common(&self) -> &Common {
         match self {
             Self::Depth(options) => &options.common,

@@ -5,21 +5,19 @@ use crate::report::{Plot, Report, Scale, Series};
 
 /// Adds time and time per ray against depth.
 pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
+    let who = |row: &Row| (row.way.name(), row.threads);
     let curves = |value: fn(&Row) -> Option<f64>| {
-        let mut ways: Vec<_> = rows.iter().map(|row| (row.tracer, row.threads)).collect();
+        let mut ways: Vec<_> = rows.iter().map(who).collect();
         ways.sort_unstable();
         ways.dedup();
-        let curve = |(tracer, threads)| {
-            let of_way = rows.iter().filter(|r| (r.tracer, r.threads) == (tracer, threads));
+        let curve = |(name, threads)| {
+            let of_way = rows.iter().filter(|row| who(row) == (name, threads));
             let points = of_way.filter_map(|row| Some((f64::from(row.depth), value(row)?)));
             let plural = if threads == 1 { "" } else { "s" };
-            Series {
-                name: format!("{}, {threads} thread{plural}", tracer.name()),
-                points: points.collect(),
-                dashed: false,
-            }
+            let name = format!("{name}, {threads} thread{plural}");
+            Series { name, points: points.collect(), dashed: false }
         };
-        ways.into_iter().map(curve).collect()
+        ways.into_iter().rev().map(curve).collect()
     };
     report.plot(Plot {
         name: format!("depth-{scene}-time"),
@@ -27,7 +25,7 @@ pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
         caption: "Minimum of the runs. Where a curve is flat, no ray goes deeper.".to_owned(),
         x: "max_depth".to_owned(),
         y: "ms".to_owned(),
-        x_scale: Scale::Linear,
+        x_scale: Scale::Doublings,
         y_scale: Scale::Log,
         series: curves(|row| row.times.min_ms()),
     });
@@ -38,7 +36,7 @@ pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
             .to_owned(),
         x: "max_depth".to_owned(),
         y: "ns a ray".to_owned(),
-        x_scale: Scale::Linear,
+        x_scale: Scale::Doublings,
         y_scale: Scale::Log,
         series: curves(Row::ns_per_ray),
     });

@@ -1,15 +1,14 @@
 //! Where the speed comes from: one change at a time, from the recursion to the engine.
 
-use catoptric_core::Isa;
-use catoptric_ladder::RUNGS;
-use catoptric_scene::{Compiled, Film, Grid, View};
+use catoptric_core::{Isa, Omission, Plan};
+use catoptric_scene::{Compiled, Grid, View};
 
 use super::{Mismatch, Request};
 use crate::Watch;
-use crate::metrics::differing_pixels;
+use crate::checked::{Group, check_then_time, rung};
 use crate::report::{Column, Report, Table};
 use crate::subject::Subject;
-use crate::timing::in_turn;
+use crate::timing::noise;
 use crate::tracer::{Threads, Tracer};
 use crate::way::Way;
 
@@ -18,6 +17,7 @@ const COLUMNS: &[Column] = &[
     Column { key: "threads", heading: "threads", meaning: "Threads that traced." },
     Column { key: "min_ms", heading: "min ms", meaning: "Least time of tracing alone, ms." },
     Column { key: "median_ms", heading: "median ms", meaning: "Median time of tracing alone, ms." },
+    Column { key: "runs", heading: "runs", meaning: "How often it was timed, in turn with all." },
     Column { key: "factor", heading: "times faster", meaning: "Than the row above." },
     Column { key: "total", heading: "in all", meaning: "Times faster than the first row." },
 ];
@@ -25,7 +25,7 @@ const COLUMNS: &[Column] = &[
 /// Adds the steps on one scene, to its own depth.
 ///
 /// # Errors
-/// A step's picture differs from the first one's.
+/// A step's picture or ray counts differ from the first one's.
 pub(super) fn add(
     report: &mut Report,
     subject: &Subject,
@@ -33,69 +33,86 @@ pub(super) fn add(
     watch: &dyn Watch,
 ) -> Result<(), Mismatch> {
     watch.say(&format!("{}: where the speed comes from", subject.name));
-    let most = request.threads.counts().last().unwrap_or(1);
-    let packets = |isa| Way::Tracer(Tracer::Packet(isa));
-    let [.., the_loop, _, _] = &RUNGS;
-    let mut steps = vec![
-        ("the recursion".to_owned(), Way::Tracer(Tracer::Recursive), 1),
-        ("a scalar loop with an explicit stack".to_owned(), Way::Rung(the_loop, request.isa), 1),
-        ("eight portable lanes, nothing left out".to_owned(), Way::Everything(Isa::Portable), 1),
-    ];
-    if request.isa != Isa::Portable {
-        let lanes = format!("eight lanes of {}", request.isa);
-        steps.push((lanes, Way::Everything(request.isa), 1));
-    }
-    let plan = "what the scene does not need left out".to_owned();
-    steps.push((plan, packets(request.isa), 1));
-    if most > 1 {
-        steps.push((format!("{most} threads"), packets(request.isa), most));
-    }
-    let counts = steps.iter().map(|(_, _, threads)| *threads);
-    let Ok(threads) = Threads::new(counts) else { return Ok(()) };
-
     let depth = subject.scene.render.max_depth;
-    let compiled = Compiled::new(&subject.scene);
+    let scene = Compiled::new(&subject.scene);
     let grid = Grid::new(&View::whole(&subject.scene));
-    let mut film = Film::new(grid.width, grid.height);
-    let mut first = None;
-    for (_, way, count) in &steps {
-        let (rendered, _) = threads.time(*count, || way.render(&compiled, &grid, &mut film));
-        if rendered.is_err() {
-            report.text(format!(
-                "{}: a path to depth {depth} is deeper than a stack, so the steps are not compared.",
-                subject.name
-            ));
+    let most = request.threads.counts().last().unwrap_or(1);
+    let (steps, ways): (Vec<String>, Vec<(Way, usize)>) =
+        steps(&Plan::new(&scene, &grid), request.isa, most).into_iter().unzip();
+    report.heading("Where the speed comes from");
+    let threads = match Threads::new(ways.iter().map(|(_, threads)| *threads)) {
+        Ok(threads) => threads,
+        Err(error) => {
+            report.text(format!("Not measured: {most} threads cannot be had: {error}."));
             return Ok(());
         }
-        let first = first.get_or_insert_with(|| film.clone());
-        if differing_pixels(first, &film) > 0 {
-            let (engine, scene) = (way.name(), subject.name.clone());
-            return Err(Mismatch { scene, depth, engine, threads: *count });
-        }
+    };
+    let groups = [Group { scene: &scene, ways: &ways }];
+    let checked = check_then_time(&groups, &grid, &threads, request.repeat, watch);
+    let checked = checked.map_err(|(_, i, difference)| {
+        let (scene, way, threads) = (subject.name.clone(), steps[i].clone(), ways[i].1);
+        Mismatch { scene, depth, way, threads, difference }
+    })?;
+    if checked.iter().any(|step| step.outcome.counts().is_none()) {
+        report.text(format!(
+            "{}: a path to depth {depth} is deeper than a stack, so the steps are not compared.",
+            subject.name
+        ));
+        return Ok(());
     }
-    let times = in_turn(steps.len(), request.repeat, watch, |i| {
-        let (_, way, count) = &steps[i];
-        Some(threads.time(*count, || way.render(&compiled, &grid, &mut film)).1)
-    });
 
     let caption = format!(
-        "Where the speed comes from: {} to depth {depth}, every step with the same bits.",
+        "Where the speed comes from: {} to depth {depth}, every step with the same bits and rays.",
         subject.name
     );
     let mut table = Table::new("waterfall", COLUMNS, caption);
-    let least: Vec<Option<f64>> = times.iter().map(|times| times.min_ms()).collect();
-    for (i, (step, _, threads)) in steps.iter().enumerate() {
+    let least: Vec<Option<f64>> = checked.iter().map(|step| step.times.min_ms()).collect();
+    for (i, step) in checked.iter().enumerate() {
         let over = |other: Option<f64>| Some(other? / least[i]?);
         table.push([
-            step.as_str().into(),
-            (*threads).into(),
+            steps[i].as_str().into(),
+            ways[i].1.into(),
             least[i].into(),
-            times[i].median_ms().into(),
+            step.times.median_ms().into(),
+            step.times.runs().into(),
             i.checked_sub(1).and_then(|above| over(least[above])).into(),
             over(least[0]).into(),
         ]);
     }
-    report.heading("Where the speed comes from");
     report.table(table);
+    if let Some(noise) = noise(checked.iter().map(|step| &step.times)) {
+        report.text(noise);
+    }
     Ok(())
 }
+
+/// What is changed, and how it is traced then on how many threads.
+fn steps(plan: &Plan, isa: Isa, threads: usize) -> Vec<(String, (Way, usize))> {
+    let mut steps = vec![
+        ("the recursion".to_owned(), (Way::Tracer(Tracer::Recursive), 1)),
+        ("a scalar loop with an explicit stack".to_owned(), (Way::Rung(rung("r3"), isa), 1)),
+        ("eight rays in turn, with masks".to_owned(), (Way::Rung(rung("r4"), isa), 1)),
+        ("eight portable lanes, nothing left out".to_owned(), (Way::Everything(Isa::Portable), 1)),
+    ];
+    if isa != Isa::Portable {
+        steps.push((format!("eight lanes of {isa}"), (Way::Everything(isa), 1)));
+    }
+    for (i, omission) in Omission::ALL.iter().enumerate() {
+        if plan.omits(*omission) {
+            let left_out = match omission {
+                Omission::Tiles => "primitives out of a tile's sight",
+                Omission::Occluders => "primitives out of a lamp's way",
+                Omission::Directions => "directions that nobody asks for",
+                Omission::Shadows => "shadows on what no lamp lights",
+            };
+            let so_far = &ALL[..=i];
+            steps.push((format!("{left_out} left out"), (Way::Omitting(isa, so_far), 1)));
+        }
+    }
+    if threads > 1 {
+        steps.push((format!("{threads} threads"), (Way::Tracer(Tracer::Packet(isa)), threads)));
+    }
+    steps
+}
+
+static ALL: [Omission; 4] = Omission::ALL;

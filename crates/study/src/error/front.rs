@@ -1,58 +1,89 @@
 //! Which settings are worth their time.
 
-use super::sweep::{Row, Sweep};
+use super::row::{Row, Sweep};
 use crate::formula::Formula;
+use crate::metrics::Metrics;
 use crate::report::Cell;
 
-/// Whether no cheaper setting of depth or weight has less error, by RMSE. One flipped pixel
-/// owns the largest error, so that one would be the front of luck.
-pub(super) fn is_on(rows: &[Row], index: usize) -> bool {
-    let row = &rows[index];
-    let beats = |other: &Row| {
-        let (Some(time), Some(other_time)) = (row.times.min_ms(), other.times.min_ms()) else {
-            return false;
-        };
-        let no_worse = other.error.rmse <= row.error.rmse && other_time <= time;
-        no_worse && (other.error.rmse < row.error.rmse || other_time < time)
+/// Which of these (time, error) no other beats, being as good in one and better in the other.
+/// Never a failure, which has none.
+#[must_use]
+pub fn on_front(points: &[Option<(f64, f64)>]) -> Vec<bool> {
+    let beats = |(other, found): (f64, f64), (time, error): (f64, f64)| {
+        found <= error && other <= time && (found < error || other < time)
     };
-    row.times.min_ms().is_some() && is_swept(row) && !rows.iter().any(|r| is_swept(r) && beats(r))
+    let beaten = |point| points.iter().flatten().any(|&other| beats(other, point));
+    points.iter().map(|point| point.is_some_and(|point| !beaten(point))).collect()
 }
 
-/// For each of some aims, which depth and which weight are enough, in words.
-pub(super) fn words(rows: &[Row], target: Option<f64>) -> Vec<String> {
-    let mut lines = vec![
-        aim(rows, "Within one 8-bit level everywhere", &|row| row.error.off_by_more == 0),
-        aim(rows, "RMSE at most 1e-3", &|row| row.error.rmse <= 1e-3),
-        aim(rows, "RMSE at most 1e-5", &|row| row.error.rmse <= 1e-5),
-    ];
-    if let Some(target) = target {
-        let reaches = |row: &Row| row.error.rmse <= target;
-        lines.push(aim(rows, &format!("RMSE at most {target}, as asked"), &reaches));
-    }
-    lines
+/// Whether no cheaper setting of depth or weight has less error, by RMSE: one flipped pixel
+/// owns the largest error, so that one would be the front of luck. `None` of samples and of
+/// what was not timed; never true of a failure.
+pub(super) fn fronts(rows: &[Row]) -> Vec<Option<bool>> {
+    let time = |row: &Row| row.times.min_ms().filter(|_| row.is_swept());
+    let point = |row: &Row| Some((time(row)?, row.sound()?.rmse));
+    let points: Vec<_> = rows.iter().map(point).collect();
+    let on_front = on_front(&points).into_iter().zip(rows);
+    on_front.map(|(on_front, row)| time(row).map(|_| on_front)).collect()
 }
 
-/// The cheapest setting of each knob that reaches an aim.
-fn aim(rows: &[Row], aim: &str, reaches: &dyn Fn(&Row) -> bool) -> String {
+/// What each of some aims costs at least, and all that is worth its time, in words.
+pub(super) fn words(rows: &[Row]) -> Vec<String> {
+    vec![
+        aim(rows, "Within one 8-bit level everywhere", &|error| error.off_by_more == 0),
+        aim(rows, "RMSE at most 1e-3", &|error| error.rmse <= 1e-3),
+        aim(rows, "RMSE at most 1e-5", &|error| error.rmse <= 1e-5),
+        front(rows),
+    ]
+}
+
+/// What the error that was asked for costs at least.
+pub(super) fn target(rows: &[Row], target: f64) -> String {
+    aim(rows, &format!("RMSE at most {target:e}, as asked"), &|error| error.rmse <= target)
+}
+
+/// The cheapest setting of each knob that reaches an aim, the cheapest of all first.
+fn aim(rows: &[Row], aim: &str, reaches: &dyn Fn(&Metrics) -> bool) -> String {
+    let reaching = |row: &&Row| row.sound().is_some_and(reaches);
     let cheapest = |sweep: Sweep| {
         // Of a formula the coarsest setting: finer ones cost more, whatever the clock says.
         let coarsest = Formula::ALL.into_iter().filter_map(|formula| {
-            let of_formula = rows.iter().filter(|r| r.sweep == sweep && r.formula == formula);
-            let mut reaching = of_formula.filter(|row| reaches(row));
-            let row = reaching.next()?;
-            Some((row, row.times.min_ms()?))
+            rows.iter().filter(|r| r.sweep == sweep && r.formula == formula).find(reaching)
         });
-        let (row, ms) = coarsest.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        let (knob, formula) = (sweep.name(), row.formula.name());
-        Some(format!("{knob} {} with {formula}, {ms:.2} ms", Cell::from(row.setting)))
+        let time = |row: &Row| row.times.min_ms().unwrap_or(f64::INFINITY);
+        let row = coarsest.min_by(|a, b| time(a).total_cmp(&time(b)))?;
+        Some((time(row), format!("{}, {}", row.name(), ms(row))))
     };
-    let found: Vec<_> = [Sweep::Depth, Sweep::Weight].into_iter().filter_map(cheapest).collect();
-    let found =
-        if found.is_empty() { "nothing that was measured".into() } else { found.join("; ") };
-    format!("{aim}: {found}.")
+    let mut found: Vec<_> =
+        [Sweep::Depth, Sweep::Weight].into_iter().filter_map(cheapest).collect();
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    match &found[..] {
+        [] => format!("{aim}: nothing that was measured."),
+        [(_, first)] => format!("{aim}: cheapest is {first}."),
+        [(_, first), (_, other), ..] => {
+            format!("{aim}: cheapest is {first}; by the other knob, {other}.")
+        }
+    }
 }
 
-/// Samples are measured on another picture.
-fn is_swept(row: &Row) -> bool {
-    row.sweep != Sweep::Samples
+/// The Pareto front, from the cheapest setting on.
+fn front(rows: &[Row]) -> String {
+    let with_front = rows.iter().zip(fronts(rows));
+    let mut front: Vec<&Row> =
+        with_front.filter(|(_, on_front)| *on_front == Some(true)).map(|(row, _)| row).collect();
+    let time = |row: &Row| row.times.min_ms().unwrap_or(f64::INFINITY);
+    front.sort_by(|a, b| time(a).total_cmp(&time(b)));
+    let setting = |row: &&Row| {
+        let rmse = row.error.map(|error| Cell::from(error.rmse).to_string());
+        format!("{} ({}, RMSE {})", row.name(), ms(row), rmse.unwrap_or_default())
+    };
+    let settings: Vec<String> = front.iter().map(setting).collect();
+    if settings.is_empty() {
+        return "Nothing was timed.".to_owned();
+    }
+    format!("The front, which nothing cheaper beats: {}.", settings.join("; "))
+}
+
+fn ms(row: &Row) -> String {
+    row.times.min_ms().map_or_else(|| "not timed".to_owned(), |ms| format!("{ms:.2} ms"))
 }

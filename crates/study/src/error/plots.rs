@@ -1,13 +1,12 @@
 //! Work-precision diagrams.
 
-use super::sweep::{Row, Sweep};
+use super::row::{Parts, Row, Sweep};
 use crate::formula::Formula;
 use crate::report::{Plot, Report, Scale, Series};
 
 /// Adds a scene's plots.
 pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
-    let by_depth = |row: &Row| Some((row.times.min_ms()?, row.error.rmse));
-    let mut series = measured(rows, Sweep::Depth, by_depth);
+    let mut series = measured(rows, Sweep::Depth, by_time);
     // One flipped pixel hides what the others have reached.
     let flipped = |formula: Formula| {
         let of_formula = |row: &&Row| row.sweep == Sweep::Depth && row.formula == formula;
@@ -18,11 +17,9 @@ pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
         let flipped = flipped(formula);
         if flipped > 0 {
             let plural = if flipped == 1 { "" } else { "s" };
-            let unflipped = |row: &Row| Some((row.times.min_ms()?, row.parts?.error.rmse));
-            let points = measured(rows, Sweep::Depth, unflipped)
-                .into_iter()
-                .find(|series| series.name == formula.name())
-                .map_or_else(Vec::new, |series| series.points);
+            let unflipped =
+                |row: &Row| Some((row.times.min_ms()?, row.parts?.unflipped?.error.rmse));
+            let points = points(rows, Sweep::Depth, formula, unflipped);
             let name = format!("{}, without {flipped} pixel{plural}", formula.name());
             series.push(Series { name, points, dashed: true });
         }
@@ -40,7 +37,7 @@ pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
         y_scale: Scale::Log,
         series,
     });
-    knob(report, scene, rows, Sweep::Depth, "max_depth", Scale::Linear);
+    knob(report, scene, rows, Sweep::Depth, "max_depth", Scale::Doublings);
     knob(report, scene, rows, Sweep::Weight, "min_weight", Scale::Log);
     report.plot(Plot {
         name: format!("error-{scene}-samples"),
@@ -52,24 +49,30 @@ pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
         y: "RMSE".to_owned(),
         x_scale: Scale::Log,
         y_scale: Scale::Log,
-        series: measured(rows, Sweep::Samples, |row| Some((row.times.min_ms()?, row.error.rmse))),
+        series: measured(rows, Sweep::Samples, by_time),
     });
 }
 
 /// The largest error over a knob's setting, with the a-priori bound.
 fn knob(report: &mut Report, scene: &str, rows: &[Row], sweep: Sweep, x: &str, x_scale: Scale) {
-    let mut series = measured(rows, sweep, |row| Some((row.setting, row.parts?.error.max)));
-    let robust = rows.iter().filter(|r| r.sweep == sweep && r.formula == Formula::RobustF32);
-    series.push(Series {
-        name: "bound, robust f32".to_owned(),
-        points: robust.filter_map(|row| Some((row.setting, row.parts?.bound))).collect(),
+    let unflipped = |row: &Row| Some((row.setting, row.parts?.unflipped?.error.max));
+    let mut series = measured(rows, sweep, unflipped);
+    let bound = |name: &str, bound: fn(&Parts) -> Option<f64>| Series {
+        name: name.to_owned(),
+        points: points(rows, sweep, Formula::RobustF32, |row| {
+            Some((row.setting, bound(row.parts.as_ref()?)?))
+        }),
         dashed: true,
-    });
+    };
+    series.push(bound("a-priori bound", |parts| Some(parts.bound_truncation)));
+    series.push(bound("and the floor of robust f32", Parts::bound));
     report.plot(Plot {
         name: format!("error-{scene}-{}", sweep.name()),
         title: format!("{scene}: largest error against {x}"),
-        caption: "Without pixels whose path is not truth's. The bound is known before anything \
-                  is traced, but for the floor of f32, which is added to it."
+        caption: "Without pixels whose path is not truth's. The bound is of what the setting \
+                  leaves out and known before anything is traced; the second adds to it what \
+                  robust f32 leaves at that setting, which is measured. No mark of robust f32 is \
+                  above that."
             .to_owned(),
         x: x.to_owned(),
         y: "largest error".to_owned(),
@@ -79,15 +82,25 @@ fn knob(report: &mut Report, scene: &str, rows: &[Row], sweep: Sweep, x: &str, x
     });
 }
 
+fn by_time(row: &Row) -> Option<(f64, f64)> {
+    Some((row.times.min_ms()?, row.sound()?.rmse))
+}
+
 fn measured(rows: &[Row], sweep: Sweep, point: impl Fn(&Row) -> Option<(f64, f64)>) -> Vec<Series> {
     let curve = |formula: Formula| Series {
         name: formula.name().to_owned(),
-        points: rows
-            .iter()
-            .filter(|row| row.sweep == sweep && row.formula == formula)
-            .filter_map(&point)
-            .collect(),
+        points: points(rows, sweep, formula, &point),
         dashed: false,
     };
     Formula::ALL.into_iter().map(curve).collect()
+}
+
+fn points(
+    rows: &[Row],
+    sweep: Sweep,
+    formula: Formula,
+    point: impl Fn(&Row) -> Option<(f64, f64)>,
+) -> Vec<(f64, f64)> {
+    let of_curve = rows.iter().filter(|row| row.sweep == sweep && row.formula == formula);
+    of_curve.filter_map(point).collect()
 }

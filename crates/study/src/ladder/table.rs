@@ -83,7 +83,7 @@ impl Climbed {
                 scene.into(),
                 rung.name.into(),
                 rung.title.into(),
-                row.different.map(|share| if share == 0.0 { "yes" } else { "no" }).into(),
+                row.different.map(|share| share == 0.0).into(),
                 row.different.into(),
                 row.times.min_ms().into(),
                 row.times.median_ms().into(),

@@ -18,6 +18,7 @@ fn exact(cell: &Cell) -> String {
     match cell {
         Cell::Text(text) => text.clone(),
         Cell::Count(count) => count.to_string(),
+        Cell::Truth(truth) => truth.to_string(),
         Cell::Number(number) => format!("{number:?}"),
         Cell::Nothing => String::new(),
     }

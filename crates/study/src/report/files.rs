@@ -19,7 +19,7 @@ pub fn files(report: &Report, made: &Occasion) -> Vec<File> {
     let file = |name: String, bytes: Vec<u8>| File { name, bytes };
     let mut files = vec![
         file("index.html".to_owned(), html::page(report, made).into_bytes()),
-        file(format!("{study}.json"), json::document(report, made).into_bytes()),
+        file(format!("{study}.json"), Vec::new()),
         file(format!("{study}.md"), markdown::summary(report, made, true).into_bytes()),
     ];
     for (index, table) in report.tables().enumerate() {
@@ -38,5 +38,8 @@ pub fn files(report: &Report, made: &Occasion) -> Vec<File> {
             Block::Heading(_) | Block::Text(_) | Block::Table(_) => {}
         }
     }
+    // The document names the files, itself among them.
+    let names: Vec<String> = files.iter().map(|file| file.name.clone()).collect();
+    files[1].bytes = json::written(report, made, &names).into_bytes();
     files
 }

@@ -69,7 +69,7 @@ fn cell(cell: &Cell) -> String {
     let shown = escaped(&cell.to_string());
     match cell {
         Cell::Text(text) if text == "FAILS" => format!("<td class=\"fails\">{shown}</td>"),
-        Cell::Text(_) => format!("<td>{shown}</td>"),
+        Cell::Text(_) | Cell::Truth(_) => format!("<td>{shown}</td>"),
         Cell::Number(number) => format!("<td class=\"number\" title=\"{number:?}\">{shown}</td>"),
         Cell::Count(_) | Cell::Nothing => format!("<td class=\"number\">{shown}</td>"),
     }

@@ -1,29 +1,40 @@
 //! A report as one JSON document.
 //!
 //! `rows` are those of the first table, which every study has; `tables` holds all others by
-//! name. A row is an object, its keys the columns' in their order.
+//! name. A row is an object, its keys the columns' in their order; `columns` says what they are.
 
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::{Block, Cell, Column, Plot, Report, Table};
+use super::{Block, Cell, Column, Plot, Report, Series, Table};
 use crate::occasion::Occasion;
 
+/// What the document says that it is.
+pub const SCHEMA: &str = "catoptric-study";
+
 /// Of the document: grows when a key changes its meaning or goes.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// The document, indented, with a line break at the end.
 #[must_use]
 pub fn document(report: &Report, made: &Occasion) -> String {
+    written(report, made, &[])
+}
+
+/// The document of a report that is written as these files.
+pub(super) fn written(report: &Report, made: &Occasion, files: &[String]) -> String {
     let mut tables = report.tables();
+    let first = tables.next();
     let document = Document {
-        schema: "catoptric-study",
+        schema: SCHEMA,
         version: VERSION,
         study: report.study,
         title: &report.title,
         complete: report.complete,
         made,
-        rows: tables.next().map(Rows),
+        files,
+        columns: first.map(|table| table.columns),
+        rows: first.map(Rows),
         tables: tables.map(NamedTable::of).collect(),
         plots: plots(report).map(NamedPlot::of).collect(),
         notes: notes(report).collect(),
@@ -41,6 +52,9 @@ struct Document<'a> {
     /// False if it was interrupted.
     complete: bool,
     made: &'a Occasion,
+    /// All of the folder's files that are this report's; none where it is not in a folder.
+    files: &'a [String],
+    columns: Option<&'a [Column]>,
     rows: Option<Rows<'a>>,
     tables: Vec<NamedTable<'a>>,
     plots: Vec<NamedPlot<'a>>,
@@ -52,12 +66,14 @@ struct Document<'a> {
 struct NamedTable<'a> {
     name: &'static str,
     caption: &'a str,
+    columns: &'a [Column],
     rows: Rows<'a>,
 }
 
 impl<'a> NamedTable<'a> {
     fn of(table: &'a Table) -> Self {
-        Self { name: table.name, caption: &table.caption, rows: Rows(table) }
+        let Table { name, caption, columns, .. } = table;
+        Self { name, caption, columns, rows: Rows(table) }
     }
 }
 
@@ -73,12 +89,15 @@ struct NamedPlot<'a> {
 struct NamedSeries<'a> {
     name: &'a str,
     points: &'a [(f64, f64)],
+    /// A bound or a theory, not a measurement.
+    dashed: bool,
 }
 
 impl<'a> NamedPlot<'a> {
     fn of(plot: &'a Plot) -> Self {
-        let series = plot.series.iter();
-        let series = series.map(|s| NamedSeries { name: &s.name, points: &s.points }).collect();
+        let series =
+            |s: &'a Series| NamedSeries { name: &s.name, points: &s.points, dashed: s.dashed };
+        let series = plot.series.iter().map(series).collect();
         Self { name: &plot.name, x: &plot.x, y: &plot.y, series }
     }
 }

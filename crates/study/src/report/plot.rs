@@ -28,6 +28,9 @@ pub enum Scale {
     Linear,
     /// By powers of ten; points that are not positive are not drawn.
     Log,
+    /// By doublings of x + 1, for depths: 0, 1, 3, 7, 15 ... stand equally far apart. Of the
+    /// horizontal axis alone; points below 0 are not drawn.
+    Doublings,
 }
 
 /// One curve.

@@ -46,11 +46,18 @@ pub(super) fn drawing(plot: &Plot) -> String {
     assert!(plot.series.len() <= STYLES.len(), "{}: too many curves for one plot", plot.name);
     let mut drawable: Vec<_> = plot.series.iter().map(|series| points(plot, series)).collect();
     let tiny = plot.y_scale == Scale::Log && drawable.iter().flatten().any(|(_, y)| *y < SMALLEST);
+    if plot.x_scale == Scale::Doublings {
+        for (x, _) in drawable.iter_mut().flatten() {
+            *x = (*x + 1.0).log2();
+        }
+    }
     if tiny {
         for (_, y) in drawable.iter_mut().flatten() {
             *y = y.log10();
         }
     }
+    let along = |axis: fn(&(f64, f64)) -> f64| drawable.iter().flatten().map(axis).collect();
+    let (xs, ys): (Vec<f64>, Vec<f64>) = (along(|p| p.0), along(|p| p.1));
     let layers: Vec<Layer> = plot
         .series
         .iter()
@@ -71,13 +78,15 @@ pub(super) fn drawing(plot: &Plot) -> String {
         .with_width(WIDTH)
         .with_height(HEIGHT)
         .with_legend_position(LegendPosition::OutsideRightTop);
-    if plot.x_scale == Scale::Log {
-        layout = layout.with_log_x().with_x_tick_format(plain());
+    match plot.x_scale {
+        Scale::Linear => {}
+        Scale::Log => layout = layout.with_log_x().with_x_tick_format(number(xs)),
+        Scale::Doublings => layout = layout.with_x_tick_step(1.0).with_x_tick_format(doubled()),
     }
     if tiny {
         layout = layout.with_y_tick_step(2.0).with_y_tick_format(power_of_ten());
     } else if plot.y_scale == Scale::Log {
-        layout = layout.with_log_y();
+        layout = layout.with_log_y().with_y_tick_format(number(ys));
     }
     let svg = SvgBackend::new().render_scene(&render_multiple(layers, layout));
     // Drawings stand side by side on one page, where names must be the page's only ones.
@@ -94,22 +103,31 @@ pub(super) fn file(plot: &Plot) -> String {
 
 fn layers(series: &Series, points: Vec<(f64, f64)>, style: (&str, MarkerShape)) -> Vec<Layer> {
     let (colour, mark) = style;
-    let line = LinePlot::new()
-        .with_data(points.iter().copied())
-        .with_color(colour)
-        .with_stroke_width(2.0)
-        .with_legend(series.name.as_str());
+    let line =
+        LinePlot::new().with_data(points.iter().copied()).with_color(colour).with_stroke_width(2.0);
     if series.dashed {
-        return vec![Layer::Line(line.with_dashed())];
+        return vec![Layer::Line(line.with_dashed().with_legend(series.name.as_str()))];
     }
-    let marks =
-        ScatterPlot::new().with_data(points).with_color(colour).with_size(3.5).with_marker(mark);
+    // The legend shows the mark, which tells curves apart without their colours.
+    let marks = ScatterPlot::new()
+        .with_data(points)
+        .with_color(colour)
+        .with_size(3.5)
+        .with_marker(mark)
+        .with_legend(series.name.as_str());
     vec![Layer::Line(line), Layer::Scatter(marks)]
 }
 
 /// The points that its axes can show.
 fn points(plot: &Plot, series: &Series) -> Vec<(f64, f64)> {
-    let shows = |scale: Scale, x: f64| x.is_finite() && (scale == Scale::Linear || x > 0.0);
+    let shows = |scale: Scale, x: f64| {
+        x.is_finite()
+            && match scale {
+                Scale::Linear => true,
+                Scale::Log => x > 0.0,
+                Scale::Doublings => x >= 0.0,
+            }
+    };
     let all = series.points.iter().copied();
     all.filter(|&(x, y)| shows(plot.x_scale, x) && shows(plot.y_scale, y)).collect()
 }
@@ -124,15 +142,20 @@ fn empty(plot: &Plot) -> String {
     )
 }
 
-/// A label as people write the number: 0.1 and 20, and powers of ten where that is long.
-fn plain() -> TickFormat {
-    TickFormat::Custom(Arc::new(|x| {
-        if (1e-3..1e5).contains(&x) {
-            format!("{}", (x * 1e6).round() / 1e6)
-        } else {
-            format!("{x:e}")
-        }
+/// The label of a number: 0.1 and 20 on an axis where no number is long, 1e-1 and 2e1 else.
+fn number(values: Vec<f64>) -> TickFormat {
+    let short = values.iter().all(|x| (1e-2..1e4).contains(x));
+    TickFormat::Custom(Arc::new(move |x| {
+        // Ticks are computed, so 3 may be 2.9999999999999996.
+        let text = format!("{x:.5e}");
+        let x: f64 = text.parse().unwrap_or(x);
+        if short { format!("{x}") } else { format!("{x:e}") }
     }))
+}
+
+/// The label of log2(x + 1).
+fn doubled() -> TickFormat {
+    TickFormat::Custom(Arc::new(|logarithm| format!("{}", logarithm.exp2().round() - 1.0)))
 }
 
 /// The label of a logarithm.

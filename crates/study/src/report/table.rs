@@ -18,7 +18,7 @@ pub struct Table {
 }
 
 /// What the cells of a column are.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
 pub struct Column {
     /// The key in JSON and CSV: lower case, underscores, with the unit where there is one.
     pub key: &'static str,
@@ -37,6 +37,8 @@ pub enum Cell {
     Count(u64),
     /// A number; for machines with all its digits. Not finite: null in JSON.
     Number(f64),
+    /// Yes or no; true or false for machines.
+    Truth(bool),
     /// Not measured, or not defined.
     Nothing,
 }
@@ -94,6 +96,12 @@ impl From<f64> for Cell {
     }
 }
 
+impl From<bool> for Cell {
+    fn from(truth: bool) -> Self {
+        Self::Truth(truth)
+    }
+}
+
 impl<T: Into<Cell>> From<Option<T>> for Cell {
     fn from(cell: Option<T>) -> Self {
         cell.map_or(Self::Nothing, Into::into)
@@ -107,6 +115,7 @@ impl fmt::Display for Cell {
             Self::Text(text) => f.write_str(text),
             Self::Count(count) => write!(f, "{count}"),
             Self::Number(number) => write_number(f, *number),
+            Self::Truth(truth) => f.write_str(if *truth { "yes" } else { "no" }),
             Self::Nothing => f.write_str("-"),
         }
     }
@@ -134,6 +143,7 @@ impl Serialize for Cell {
             Self::Count(count) => to.serialize_u64(*count),
             // JSON has no NaN; serde_json writes null for it.
             Self::Number(number) => to.serialize_f64(*number),
+            Self::Truth(truth) => to.serialize_bool(*truth),
             Self::Nothing => to.serialize_none(),
         }
     }

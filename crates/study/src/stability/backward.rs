@@ -34,7 +34,7 @@ mod moved;
 use std::sync::OnceLock;
 
 use catoptric_reference::truth::{Precision, TooDeep, Truth};
-use catoptric_scene::{Scene, View};
+use catoptric_scene::{Scene, Transfer, View};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -69,6 +69,7 @@ const SAMPLE: usize = 600;
 pub struct Judge {
     scene: Scene,
     view: View,
+    transfer: Transfer,
     truth: Truth,
     pixels: Vec<[f64; 3]>,
     f32: Moves,
@@ -134,7 +135,8 @@ impl Judge {
         let brightness = pixels.as_flattened().iter().copied().fold(0.0, larger);
         let moves = |u| Moves::new(u, brightness, pixels.len());
         let (f32, f64) = (moves(Formula::RobustF32.u()), moves(Formula::RobustF64.u()));
-        Ok(Self { scene: scene.clone(), view, truth, pixels, f32, f64 })
+        let transfer = scene.image.transfer;
+        Ok(Self { scene: scene.clone(), view, transfer, truth, pixels, f32, f64 })
     }
 
     /// Truth's picture.
@@ -191,7 +193,7 @@ impl Judge {
     /// Pixels are taken from the largest error down, until what is left cannot hold the largest
     /// ratio nor one above [`ALLOWED`].
     fn judge_by(&self, moves: &Moves, found: &[[f64; 3]]) -> Result<Backward, TooDeep> {
-        let raw = Metrics::of(found, &self.pixels);
+        let raw = Metrics::over(found, &self.pixels, self.transfer, |_| true);
         let errors = found.iter().zip(&self.pixels).map(|(a, b)| difference(a, b));
         let mut by_error: Vec<_> = errors.enumerate().collect();
         by_error.sort_by(|a, b| b.1.total_cmp(&a.1));
