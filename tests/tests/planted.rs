@@ -199,7 +199,7 @@ fn every_fault_has_its_line() {
 }
 
 #[test]
-#[ignore = "builds the engine once a fault, about 8 minutes; .ci/run asks for it"]
+#[ignore = "builds the engine once a fault, 10 to 25 minutes; .ci/run asks for it"]
 fn every_planted_fault_is_caught() {
     let copy = tempfile::tempdir().expect("a temporary folder");
     copy_workspace(copy.path());

@@ -21,6 +21,8 @@ use std::sync::OnceLock;
 
 use catoptric_scene::{Material, Numerics, Scene};
 
+use crate::metrics::larger;
+
 /// How often a bound is followed before it counts as unbounded.
 const STEPS: u32 = 1_000_000;
 
@@ -169,8 +171,4 @@ fn local(scene: &Scene, material: &Material, channels: &[usize]) -> f64 {
         ambient * color + lamps * (material.diffuse * color + material.specular)
     };
     channels.iter().map(of_channel).fold(0.0, larger)
-}
-
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }
