@@ -187,6 +187,67 @@ pub fn graze() -> impl Strategy<Value = Scene> {
     )
 }
 
+/// A heap of mirror balls so far away, for their size, that rays leave them from a little inside
+/// or outside; they cover few pixels each, so that rays of one packet leave different ones.
+pub fn specks(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = Scene> {
+    let balls = vec((direction(), 0.1..1.0f64, colour()), 4..=16);
+    (size, balls, direction(), direction(), -7.0..-4.0f64).prop_map(
+        |((width, height), balls, away, lamp, share)| {
+            let mut draft = Draft::default();
+            (draft.image.width, draft.image.height) = (width, height);
+            (draft.render.max_depth, draft.render.background) = (4, [0.3, 0.2, 0.1]);
+            // The heap is about a unit wide.
+            let far = 10f64.powf(-share);
+            let middle = along([0.0; 3], away, far);
+            draft.camera.look_at = middle;
+            draft.camera.up = across(away, lamp).unwrap_or([0.6, 0.48, 0.64]);
+            draft.camera.fov = (2.0 / far).to_degrees();
+            for (at, radius, color) in balls {
+                let material = Material { reflect: Some(0.9), ..Material::matt(color) };
+                let center = along(middle, at, 1.0 - radius);
+                draft.spheres.push(Sphere { center, radius: 0.5 * radius, material });
+            }
+            let position = along(middle, lamp, 10.0);
+            draft.lights.push(Light { position, intensity: [1.0; 3] });
+            Scene::new(draft).expect("generated scenes are valid")
+        },
+    )
+}
+
+/// A ball just inside another one, or just out of it, where that one faces the eye, and a mirror
+/// that shows both from elsewhere.
+pub fn nested(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = Scene> {
+    let gap = (-7.5..-3.0f64, any::<bool>())
+        .prop_map(|(e, inside)| if inside { 10f64.powf(e) } else { -10f64.powf(e) });
+    let scales = ((-2.0..2.0f64), (0.02..1.2f64), (-1.5..-0.001f64));
+    (size, scales, direction(), direction(), direction(), gap).prop_map(
+        |((width, height), (radius, far, share), aside, lamp, mirror, gap)| {
+            let (radius, far) = (10f64.powf(radius), 10f64.powf(far));
+            let mut draft = Draft::default();
+            (draft.image.width, draft.image.height) = (width, height);
+            (draft.render.max_depth, draft.render.background) = (3, [0.1, 0.2, 0.3]);
+            let outer = Material { reflect: Some(0.5), ..Material::matt([0.9, 0.5, 0.1]) };
+            let inner = Material { reflect: Some(0.3), ..Material::matt([0.1, 0.5, 0.9]) };
+            let center = [0.0, 0.0, -far * radius];
+            let to_eye = along([0.0, 0.0, 1.0], aside, 0.5);
+            let length = distance(to_eye, [0.0; 3]);
+            let within = radius * 10f64.powf(share);
+            let off = radius - within - gap * (1.0 + far) * radius;
+            draft.camera.fov = 2.2 * (1.0 / far).min(0.7).asin().to_degrees();
+            let at = along(center, to_eye.map(|x| x / length), off);
+            draft.spheres.push(Sphere { center: at, radius: within, material: inner });
+            draft.spheres.push(Sphere { center, radius, material: outer });
+            let shows = along(center, mirror, 3.0 * radius);
+            if distance(shows, [0.0; 3]) > radius {
+                draft.spheres.push(Sphere { center: shows, radius, material: outer });
+            }
+            let position = along(center, lamp, 5.0 * radius);
+            draft.lights.push(Light { position, intensity: [1.0; 3] });
+            Scene::new(draft).expect("generated scenes are valid")
+        },
+    )
+}
+
 type Things =
     (Vec<(Place, f64, Material)>, Vec<([f64; 3], [f64; 3], Material)>, Vec<([f64; 3], [f64; 3])>);
 type Eye = ([f64; 3], [f64; 3], f64, prop::sample::Index);

@@ -160,6 +160,16 @@ proptest! {
         same(&scene, 1)?;
     }
 
+    #[test]
+    fn generated_specks(scene in generate::specks((1u32..=40, 1u32..=24))) {
+        same(&scene, 1)?;
+    }
+
+    #[test]
+    fn generated_nests(scene in generate::nested((1u32..=40, 1u32..=24))) {
+        same(&scene, 1)?;
+    }
+
     /// Several tiles wide, so that bounds on what a tile sees have edges to get wrong.
     #[test]
     fn generated_panoramas(scene in generate::scene(12, (120u32..=260, 1u32..=24))) {

@@ -105,6 +105,12 @@ proptest! {
         check("graze", &scene, 1).map_err(TestCaseError::fail)?;
     }
 
+    /// Balls just inside another one, and just out of it.
+    #[test]
+    fn every_plan_of_nests(scene in generate::nested((1u32..=40, 1u32..=24))) {
+        check("nested", &scene, 1).map_err(TestCaseError::fail)?;
+    }
+
     /// Shadows that a ball's rim grazes.
     #[test]
     fn every_plan_of_eclipses(scene in generate::eclipse((1u32..=70, 1u32..=40))) {

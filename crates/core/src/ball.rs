@@ -1,6 +1,6 @@
 //! Eight rays against a ball: `reference::ball`, lane by lane.
 
-use catoptric_scene::Ball;
+use catoptric_scene::{Ball, Numerics};
 
 use crate::lanes::{Lane, Lanes, Mask};
 use crate::nearest::{Around, Form};
@@ -9,6 +9,7 @@ use crate::vec3::Vec3;
 
 /// A ball that is not around the eye.
 impl<S: Lane> Form<S> for Ball<S> {
+    const NUMERICS: Numerics = Numerics::Robust;
     const LEFT_BEHIND: bool = true;
 
     #[inline(always)]
@@ -24,16 +25,22 @@ impl<S: Lane> Form<S> for Ball<S> {
     }
 
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> (Vec3<L>, Vec3<L>) {
+    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         let f = Vec3::splat(self.center) - rays.origin;
         let x = rays.direction * t - f;
-        let outward = x * (L::constant(1.0) / x.length());
+        x * (L::constant(1.0) / x.length())
+    }
+
+    /// Of the unit vector from the centre.
+    #[inline(always)]
+    fn surface<L: Lanes<Scalar = S>>(&self, outward: Vec3<L>, _: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
         let point = Vec3::splat(self.center) + outward * L::splat(self.radius);
         (point, outward * L::splat(self.side))
     }
 }
 
 impl<S: Lane> Form<S> for Around<Ball<S>> {
+    const NUMERICS: Numerics = Numerics::Robust;
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
@@ -45,8 +52,13 @@ impl<S: Lane> Form<S> for Around<Ball<S>> {
     }
 
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> (Vec3<L>, Vec3<L>) {
-        self.0.surface(rays, t)
+    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+        self.0.place(rays, t)
+    }
+
+    #[inline(always)]
+    fn surface<L: Lanes<Scalar = S>>(&self, outward: Vec3<L>, d: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
+        self.0.surface(outward, d)
     }
 }
 

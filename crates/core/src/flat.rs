@@ -1,6 +1,6 @@
 //! Eight rays against a plane or a large sphere: `reference::flat`, lane by lane.
 
-use catoptric_scene::Flat;
+use catoptric_scene::{Flat, Numerics};
 
 use crate::lanes::{Lane, Lanes, Mask};
 use crate::nearest::{Around, Form};
@@ -9,6 +9,7 @@ use crate::vec3::Vec3;
 
 /// A surface that is not around the eye.
 impl<S: Lane> Form<S> for Flat<S> {
+    const NUMERICS: Numerics = Numerics::Robust;
     const LEFT_BEHIND: bool = true;
 
     #[inline(always)]
@@ -26,19 +27,24 @@ impl<S: Lane> Form<S> for Flat<S> {
     }
 
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> (Vec3<L>, Vec3<L>) {
+    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         let mut point = rays.origin + rays.direction * t;
         if self.is_around() {
             let gradient = gradient(self, point);
             let height = height(self, gradient, point);
             point = point - gradient * (L::constant(0.5) * height);
         }
-        let normal = point * L::splat(self.curvature) - Vec3::splat(self.lean);
-        (point, normal)
+        point
+    }
+
+    #[inline(always)]
+    fn surface<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
+        (point, gradient(self, point))
     }
 }
 
 impl<S: Lane> Form<S> for Around<Flat<S>> {
+    const NUMERICS: Numerics = Numerics::Robust;
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
@@ -56,8 +62,13 @@ impl<S: Lane> Form<S> for Around<Flat<S>> {
     }
 
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> (Vec3<L>, Vec3<L>) {
-        self.0.surface(rays, t)
+    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+        self.0.place(rays, t)
+    }
+
+    #[inline(always)]
+    fn surface<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, d: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
+        self.0.surface(point, d)
     }
 }
 

@@ -3,8 +3,9 @@
 //!
 //! Start with `packet`, the loop; then what it calls, in that order: `nearest`, `hits`, `shade`
 //! with `surfaces` and `occluders`, `wave`, `stack`; then the shapes, which stand here under the
-//! same names as in the reference. `plan` says what is left out. `lanes` is the only file that
-//! knows what eight lanes are made of.
+//! same names as in the reference. `plan` says what is left out, `plane` how a wave's numbers lie in
+//! memory, `output` what becomes of the colours. `lanes` is the only file that knows what eight
+//! lanes are made of.
 
 mod ball;
 mod flat;
@@ -12,9 +13,12 @@ mod hits;
 mod isa;
 mod lanes;
 mod nearest;
+mod nested;
 mod occluders;
+mod output;
 mod packet;
 mod plan;
+mod plane;
 mod power;
 mod render;
 mod shade;

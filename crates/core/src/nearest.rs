@@ -4,35 +4,40 @@
 //! registers. They are tried in the order of their index and only a smaller distance replaces:
 //! the first of equals wins. A distance of NaN is not smaller.
 
-use catoptric_scene::{Compiled, Shape};
+use std::ops::Range;
 
-use crate::lanes::{LANES, Lane, Lanes, Mask};
+use catoptric_scene::{Compiled, Numerics, Shape};
+
+use crate::lanes::{Lane, Lanes, Mask};
 use crate::packet::{Distance, NONE, Rays};
+use crate::plane::Plane;
 use crate::vec3::Vec3;
-use crate::wave::RayPacket;
+use crate::wave::Wave;
 
-/// Index of the primitive that each ray of a packet meets first, or [`NONE`], and its distance.
-#[derive(Clone, Copy)]
-#[repr(align(32))]
+/// What each ray of a wave meets first.
 pub(crate) struct Nearest<S> {
-    pub(crate) index: [S; LANES],
-    pub(crate) distance: [S; LANES],
+    /// Index of the primitive, or [`NONE`].
+    pub(crate) index: Plane<S>,
+    pub(crate) distance: Plane<S>,
 }
 
-/// Fills in one of `nearest` for each packet. `EYE`: all rays start at the eye.
+/// Fills in `nearest` for some packets of a wave. `EYE`: all rays start at the eye.
 #[inline(always)]
 pub(crate) fn nearest<L: Lanes, const EYE: bool>(
     scene: &Compiled<L::Scalar>,
     tried: &[u32],
-    packets: &[RayPacket<L::Scalar>],
-    nearest: &mut [Nearest<L::Scalar>],
+    wave: &Wave<L::Scalar>,
+    packets: Range<usize>,
+    nearest: &mut Nearest<L::Scalar>,
 ) {
-    for nearest in &mut *nearest {
-        nearest.index = L::index(NONE).to_array();
-        nearest.distance = L::constant(f64::INFINITY).to_array();
+    let (indices, distances) = (&mut nearest.index, &mut nearest.distance);
+    let indices = indices.packets_mut(packets.clone());
+    for (index, distance) in indices.iter_mut().zip(distances.packets_mut(packets.clone())) {
+        *index = L::index(NONE).to_array();
+        *distance = L::constant(f64::INFINITY).to_array();
     }
     for &index in tried {
-        let all = Try { index, packets, nearest };
+        let all = Try { index, wave, packets: packets.clone(), nearest };
         match &scene.primitives[index as usize].shape {
             Shape::Ball(ball) if ball.is_around() => all.run::<L, _, EYE>(Around(*ball)),
             Shape::Ball(ball) => all.run::<L, _, EYE>(*ball),
@@ -46,6 +51,8 @@ pub(crate) fn nearest<L: Lanes, const EYE: bool>(
 
 /// What a ray may meet.
 pub(crate) trait Form<S>: Copy {
+    /// The formulas that it belongs to.
+    const NUMERICS: Numerics;
     /// Whether rays that left it do not meet it next, whatever it is computed to be.
     const LEFT_BEHIND: bool;
 
@@ -54,8 +61,21 @@ pub(crate) trait Form<S>: Copy {
     /// Idle lanes compute what is never read.
     fn distance<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>>;
 
-    /// Points and unit normals where rays meet it at distances `t`.
-    fn surface<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> (Vec3<L>, Vec3<L>);
+    /// Where rays meet it at distances `t`: what [`Form::surface`] makes point and normal of.
+    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L>;
+
+    /// Points and unit normals of places where rays in `direction` meet it.
+    fn surface<L: Lanes<Scalar = S>>(
+        &self,
+        place: Vec3<L>,
+        direction: Vec3<L>,
+    ) -> (Vec3<L>, Vec3<L>);
+
+    /// Where rays that leave such a point start.
+    #[inline(always)]
+    fn start<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _normal: Vec3<L>) -> Vec3<L> {
+        point
+    }
 }
 
 /// A primitive around the eye.
@@ -65,28 +85,87 @@ pub(crate) struct Around<F>(pub(crate) F);
 /// One primitive to try.
 struct Try<'a, S> {
     index: u32,
-    packets: &'a [RayPacket<S>],
-    nearest: &'a mut [Nearest<S>],
+    wave: &'a Wave<S>,
+    packets: Range<usize>,
+    nearest: &'a mut Nearest<S>,
 }
 
 impl<S: Lane> Try<'_, S> {
+    /// On all packets, run by run.
     #[inline(always)]
-    fn run<L: Lanes<Scalar = S>, F: Form<S>, const EYE: bool>(self, form: F) {
-        let index = L::index(self.index);
-        for (packet, nearest) in self.packets.iter().zip(self.nearest) {
-            if !EYE && F::LEFT_BEHIND && packet.all_left == self.index {
-                continue;
+    fn run<L: Lanes<Scalar = S>, F: Form<S>, const EYE: bool>(mut self, form: F) {
+        if EYE {
+            return self.on::<L, F, true, false>(form, self.packets.clone(), Mask::none());
+        }
+        let mut start = self.packets.start;
+        for run in self.wave.runs() {
+            let end = self.packets.end.min(run.end as usize);
+            let packets = start..end;
+            if start >= end || F::LEFT_BEHIND && run.left == self.index {
+            } else if run.left == NONE {
+                self.on::<L, F, false, true>(form, packets, Mask::none());
+            } else {
+                let own = if run.left == self.index { Mask::every() } else { Mask::none() };
+                self.on::<L, F, false, false>(form, packets, own);
             }
-            let direction = Vec3::from_arrays(&packet.direction);
-            let origin = if EYE { Vec3::zero() } else { Vec3::from_arrays(&packet.origin) };
-            let own = if EYE { Mask::none() } else { L::from_array(packet.left).same_bits(index) };
-            let Some(found) = form.distance(&Rays { origin, direction }, own) else {
+            start = if end > start { end } else { start };
+        }
+    }
+
+    /// On some packets, of which the lanes `own` left it; `MIXED`: which did is looked up.
+    #[inline(always)]
+    fn on<L: Lanes<Scalar = S>, F: Form<S>, const EYE: bool, const MIXED: bool>(
+        &mut self,
+        form: F,
+        packets: Range<usize>,
+        own: Mask<L>,
+    ) {
+        let len = packets.len();
+        let index = L::index(self.index);
+        // Slices of one length: then no bound is checked in the loop.
+        let [ox, oy, oz] = self.wave.origins().packets(packets.clone()).map(|plane| &plane[..len]);
+        let [dx, dy, dz] =
+            self.wave.directions().packets(packets.clone()).map(|plane| &plane[..len]);
+        let left = &self.wave.left().packets(packets.clone())[..len];
+        let indices = &mut self.nearest.index.packets_mut(packets.clone())[..len];
+        let distances = &mut self.nearest.distance.packets_mut(packets)[..len];
+        for i in 0..len {
+            let rays = Rays {
+                origin: if EYE {
+                    Vec3::zero()
+                } else {
+                    Vec3 {
+                        x: L::from_array(ox[i]),
+                        y: L::from_array(oy[i]),
+                        z: L::from_array(oz[i]),
+                    }
+                },
+                direction: Vec3 {
+                    x: L::from_array(dx[i]),
+                    y: L::from_array(dy[i]),
+                    z: L::from_array(dz[i]),
+                },
+            };
+            let own = if MIXED {
+                L::from_array(left[i]).same_bits(index)
+            } else if F::LEFT_BEHIND {
+                Mask::none()
+            } else {
+                own
+            };
+            let Some(found) = form.distance(&rays, own) else {
                 continue;
             };
-            let best = L::from_array(nearest.distance);
+            let best = L::from_array(distances[i]);
             let closer = found.met & found.t.lt(best);
-            nearest.distance = closer.select(found.t, best).to_array();
-            nearest.index = closer.select(index, L::from_array(nearest.index)).to_array();
+            distances[i] = closer.replace(found.t, best).to_array();
+            indices[i] = closer.replace(index, L::from_array(indices[i])).to_array();
         }
+    }
+}
+
+impl<S: Lane> Nearest<S> {
+    pub(crate) fn new() -> Self {
+        Self { index: Plane::of(S::ZERO), distance: Plane::of(S::ZERO) }
     }
 }

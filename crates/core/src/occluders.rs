@@ -36,15 +36,16 @@ pub(crate) struct Occluders<S: Scalar> {
 }
 
 impl<S: Lane> Occluders<S> {
-    pub(crate) fn new(scene: &Compiled<S>) -> Self {
+    /// Of the primitives of these indices.
+    pub(crate) fn new(scene: &Compiled<S>, tried: &[u32]) -> Self {
         let mut these = Self {
             balls: Vec::new(),
             of_balls: Vec::new(),
             flats: Vec::new(),
             textbook: Vec::new(),
         };
-        for (index, primitive) in (0..).zip(&scene.primitives) {
-            match &primitive.shape {
+        for &index in tried {
+            match &scene.primitives[index as usize].shape {
                 Shape::Ball(ball) if ball.is_around() => {}
                 Shape::Ball(ball) => {
                     let lane = these.of_balls.len() % LANES;

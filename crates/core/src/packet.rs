@@ -14,13 +14,13 @@
 //!
 //! 1. Eight rays go side by side, as a packet. Each lane does what the recursion does for its
 //!    ray, in the same order; operations are the same in a lane as on a scalar (`lanes`). A lane
-//!    without a ray computes on, and nothing reads it.
+//!    without a ray does over again what another one does.
 //! 2. All rays of a tile go side by side, level by level: those of one depth are a wave
 //!    (`wave`). No ray knows of another, so their order is free. What a wave met is sorted by
 //!    primitive (`hits`), so that all that depends on the primitive is a scalar when its rays
 //!    are shaded, as it is in the recursion; and the rays that go on are packed anew.
 //! 3. The call becomes a loop. On the way down every level leaves behind what it owes on the
-//!    return, the local light, and for each ray that goes on k and whose it is (`stack`).
+//!    return: for each ray that met something the local light, whose it is and k (`stack`).
 //! 4. The return becomes a second loop that folds back, colour = local + k · colour, from the
 //!    deepest level up: the sum that the recursion forms, in its order. Adding weight · local on
 //!    the way down would be the same sum only in the reals.
@@ -36,12 +36,13 @@ use crate::hits::Hits;
 use crate::lanes::{LANES, Lane, Lanes, Mask};
 use crate::nearest::{Nearest, nearest};
 use crate::occluders::Occluders;
+use crate::plane::PACKETS;
 use crate::shade::{Level, Shading, shade};
 use crate::stack::Stack;
 use crate::tile;
 use crate::vec3::{Packed, Vec3};
-use crate::watch::Observe;
-use crate::wave::{PACKETS, Wave};
+use crate::watch::Watcher;
+use crate::wave::Wave;
 
 /// No primitive.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -97,8 +98,8 @@ pub(crate) struct Omit {
 /// What a thread keeps from tile to tile.
 pub(crate) struct Work<S> {
     /// Eye rays; those of odd and of even levels; and those of level `BREADTH`.
-    pub(crate) waves: [Wave<S>; 4],
-    pub(crate) nearest: Box<[Nearest<S>; PACKETS]>,
+    pub(crate) waves: [Box<Wave<S>>; 4],
+    pub(crate) nearest: Box<Nearest<S>>,
     hits: Hits,
     shading: Shading<S>,
     /// Of a tile's rays, what depends on the column, and how many lanes are in the picture.
@@ -110,7 +111,7 @@ pub(crate) struct Work<S> {
 /// A path went deeper than the memory limit allows.
 pub(crate) struct TooDeep;
 
-/// The light that comes back along eye rays, those of `waves[0]`: in level 0 of the stack.
+/// The light that comes back along eye rays, those of `waves[0]`: in the stack's `eye_colours`.
 /// `watch` sees the first of them go down and come up.
 ///
 /// Down to level `BREADTH` all packets of a level are traced at once; there, one: packet 0 goes
@@ -122,10 +123,10 @@ pub(crate) fn trace<L: Lanes>(
     world: World<L::Scalar>,
     work: &mut Work<L::Scalar>,
     stack: &mut Stack<L::Scalar>,
-    watch: &mut impl Observe<L::Scalar>,
+    mut watch: Option<&mut Watcher<L::Scalar>>,
 ) -> Result<(), TooDeep> {
     let mut packets = 0..work.waves[0].len();
-    stack.start(packets.len());
+    stack.start();
     // The first packet of level `BREADTH` that has not gone on.
     let mut held = 0;
     loop {
@@ -134,22 +135,29 @@ pub(crate) fn trace<L: Lanes>(
             held = packets.end;
         }
         let next = level::<L>(world, packets, work, stack)?;
-        watch.level(work, stack, next);
+        if let Some(watch) = watch.as_mut() {
+            watch.level(work, stack, next);
+        }
         if next > 0 {
-            stack.descend(next);
+            stack.descend();
             packets = if depth + 1 == BREADTH { 0..1 } else { 0..next };
             continue;
         }
-        while stack.depth() > 0 {
+        loop {
+            if let Some(watch) = watch.as_mut() {
+                watch.before_fold(stack);
+            }
+            stack.fold::<L>(&world.scene.materials, world.scene.background);
+            if let Some(watch) = watch.as_mut() {
+                watch.after_fold(stack);
+            }
+            if stack.depth() == 0 {
+                return Ok(());
+            }
             if stack.depth() == BREADTH && held < work.waves[wave_of(BREADTH)].len() {
                 break;
             }
-            watch.before_fold(stack);
-            stack.fold::<L>();
-            watch.after_fold(stack);
-        }
-        if stack.depth() == 0 {
-            return Ok(());
+            stack.ascend();
         }
         // The next packet's path may be long, and the picture already lost.
         if stack.is_refused() {
@@ -187,41 +195,32 @@ fn level<L: Lanes>(
     };
     next.clear();
 
-    let (rays, found) = (&wave.packets()[packets.clone()], &mut work.nearest[packets.clone()]);
     let Candidates { eye, mirrors } = world.candidates;
     if depth == 0 {
-        nearest::<L, true>(world.scene, eye, rays, found);
+        nearest::<L, true>(world.scene, eye, wave, packets.clone(), &mut work.nearest);
     } else {
-        nearest::<L, false>(world.scene, mirrors, rays, found);
+        nearest::<L, false>(world.scene, mirrors, wave, packets.clone(), &mut work.nearest);
     }
 
-    let (pending, next_pending) = stack.level_and_next();
-    let background = Vec3::<L>::splat(world.scene.background).to_arrays();
     let lanes = packets.len() * LANES;
     let (mut idle, mut misses, mut shadow) = (0, 0, 0);
-    for ((at, rays), found) in packets.zip(rays).zip(found) {
-        let missed = work.hits.sort::<L>(at, rays, found);
-        if missed > 0 {
-            pending[at].colour = background;
-            misses += missed;
-            idle += LANES - rays.live as usize;
-        }
+    work.hits.clear();
+    for packet in packets.clone() {
+        let live = wave.live(packet);
+        misses += work.hits.sort::<L>(packet, live, &work.nearest);
+        idle += LANES - live;
+    }
+    if misses > idle {
+        stack.missed(packets.start, packets.len());
     }
 
     let followed = depth < world.depth as usize;
-    let mut level = Level {
-        wave,
-        nearest: &work.nearest,
-        hits: &mut work.hits,
-        pending,
-        next,
-        next_pending,
-        followed,
-    };
+    let mut level =
+        Level { wave, nearest: &work.nearest, hits: &mut work.hits, stack, next, followed };
     while let Some(index) = level.hits.next_met() {
         shadow += shade::<L>(world, index, &mut level, &mut work.shading);
     }
-    level.next.close::<L>(level.next_pending);
+    level.next.close::<L>(level.stack);
     let next = level.next.len();
 
     let count = stack.count();
@@ -234,10 +233,9 @@ fn level<L: Lanes>(
 impl<S: Lane> Work<S> {
     /// For a scene with so many occluders before each lamp.
     pub(crate) fn new(scene: &Compiled<S>, occluders: usize) -> Self {
-        let nearest = Nearest { index: [S::ZERO; LANES], distance: [S::ZERO; LANES] };
         Self {
-            waves: std::array::from_fn(|_| Wave::new()),
-            nearest: Box::new([nearest; PACKETS]),
+            waves: std::array::from_fn(|_| Box::new(Wave::new())),
+            nearest: Box::new(Nearest::new()),
             hits: Hits::new(scene.primitives.len()),
             shading: Shading::new(occluders, scene.lights.len()),
             across: [([[S::ZERO; LANES]; 3], 0); tile::WIDTH / LANES],

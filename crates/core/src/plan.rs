@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use crate::PacketScalar;
 use crate::lanes::Lane;
+use crate::nested::reachable;
 use crate::occluders::Occluders;
 use crate::sight::{Sights, in_f64};
 use crate::tile;
@@ -15,6 +16,11 @@ use crate::tile;
 /// Work that need not be done. None of it changes a bit of the picture or a ray count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Omission {
+    /// Balls wholly inside another one are not tried, by any ray.
+    ///
+    /// Robust numerics, no plane, and the eye outside the outer ball. A ray would meet that one
+    /// first: `nested` asks for a gap between them that is above all rounding.
+    Nested,
     /// Primitives that no eye ray of a tile can meet are not tried there, and a tile without
     /// any is filled with the background.
     ///
@@ -41,12 +47,14 @@ pub enum Omission {
 
 impl Omission {
     /// Every one.
-    pub const ALL: [Self; 4] = [Self::Tiles, Self::Occluders, Self::Directions, Self::Shadows];
+    pub const ALL: [Self; 5] =
+        [Self::Nested, Self::Tiles, Self::Occluders, Self::Directions, Self::Shadows];
 
     /// A word for tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
+            Self::Nested => "nested",
             Self::Tiles => "tiles",
             Self::Occluders => "occluders",
             Self::Directions => "directions",
@@ -58,6 +66,7 @@ impl Omission {
     #[must_use]
     pub fn what(self) -> &'static str {
         match self {
+            Self::Nested => "no ray tries a sphere wholly inside another one",
             Self::Tiles => "eye rays do not try what their tile of pixels cannot show",
             Self::Occluders => "shadow rays do not try what cannot stand in their way",
             Self::Directions => {
@@ -71,6 +80,7 @@ impl Omission {
     #[must_use]
     pub fn why(self) -> &'static str {
         match self {
+            Self::Nested => "whatever comes near it meets the outer one first",
             Self::Tiles => "cones around them miss it, with room for all rounding",
             Self::Occluders => "bounds around the way miss it, with room for all rounding",
             Self::Directions | Self::Shadows => "what would be added is 0, and no light is -0",
@@ -89,6 +99,8 @@ pub struct Features {
     pub planes: usize,
     /// Spheres around the eye.
     pub around: usize,
+    /// Spheres wholly inside another one, which nothing shows.
+    pub nested: usize,
     /// Primitives whose mirror factor is above 0.
     pub mirrors: usize,
     /// Lamps that some primitive does not hide from all that can be seen.
@@ -127,6 +139,7 @@ impl Plan {
         let features = Features::of(scene, grid);
         let robust = scene.numerics == Numerics::Robust;
         let applies = |omission: &Omission| match omission {
+            Omission::Nested => features.nested > 0,
             Omission::Tiles => robust,
             Omission::Occluders => robust && features.lamps > 0,
             Omission::Directions => scene.materials.iter().any(|m| m.specular <= S::ZERO),
@@ -159,8 +172,12 @@ impl Plan {
 
 impl Features {
     fn of<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> Self {
-        let mut these =
-            Self { cut: scene.min_weight > S::ZERO, samples: grid.samples, ..Self::default() };
+        let mut these = Self {
+            nested: scene.primitives.len() - reachable(scene).len(),
+            cut: scene.min_weight > S::ZERO,
+            samples: grid.samples,
+            ..Self::default()
+        };
         for primitive in &scene.primitives {
             match &primitive.shape {
                 Shape::Ball(ball) => {
@@ -191,6 +208,14 @@ impl Features {
         }
         these
     }
+}
+
+/// The primitives that rays try, by index in ascending order.
+pub(crate) fn tried<S: Scalar>(scene: &Compiled<S>, plan: &Plan) -> Vec<u32> {
+    if plan.omits(Omission::Nested) {
+        return reachable(scene);
+    }
+    (0..).zip(&scene.primitives).map(|(index, _)| index).collect()
 }
 
 /// Whether no lamp's light comes back from a material.
@@ -250,7 +275,7 @@ pub struct TileCandidates {
 /// What the eye rays of a view's tiles have to try.
 #[must_use]
 pub fn tile_candidates<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> TileCandidates {
-    let sights = Sights::new(scene);
+    let sights = Sights::new(scene, reachable(scene));
     let (mut sum, mut list) = (TileCandidates::default(), Vec::new());
     let samples = grid.samples as usize;
     for rows in grid.rows.chunks(tile::HEIGHT * samples) {
@@ -290,7 +315,7 @@ pub(crate) fn occluders_of<S: Lane>(scene: &Compiled<S>, lamp: usize, receiver: 
         }
         _ => (DVec3::ZERO, f64::INFINITY),
     };
-    let occluders = Occluders::new(scene);
+    let occluders = Occluders::new(scene, &reachable(scene));
     let mut list = vec![0; occluders.len() + 1];
     let left = u32::try_from(receiver).expect("fewer than 2^32 primitives");
     let position = in_f64::<S>(lamp.position);

@@ -4,10 +4,11 @@ use catoptric_scene::{Compiled, Counts, Film, Grid, PointLight, Quantiser, Scala
 use rayon::prelude::*;
 
 use crate::Isa;
-use crate::lanes::{self, Kernel, Lane, Lanes};
+use crate::lanes::{self, Lane};
 use crate::occluders::Occluders;
+use crate::output::{Linear, Output, Put};
 use crate::packet::{Candidates, Omit, TooDeep, Work, World};
-use crate::plan::{Omission, Plan, occluders_of};
+use crate::plan::{Omission, Plan, occluders_of, tried};
 use crate::sight::Sights;
 use crate::stack::{Budget, Stack};
 use crate::tile::{self, Tile};
@@ -58,7 +59,7 @@ macro_rules! packet_scalar {
                 settings: Settings,
                 progress: &(dyn Fn(u64) + Sync),
             ) -> Result<Counts, StackFull> {
-                bands(scene, plan, grid, pixels, settings, progress, |band, rows| band.render(rows))
+                bands(scene, plan, grid, &Linear, pixels, settings, progress)
             }
 
             fn occluders(scene: &Compiled<Self>, lamp: usize, receiver: usize) -> Vec<u32> {
@@ -76,9 +77,9 @@ packet_scalar!(f64);
 /// The picture is that of the recursion in the same scalar.
 ///
 /// `progress` is told after every few rows how many pixels were added. Memory: the film, and
-/// half a megabyte a thread (f64: one). Where paths go deep, a thread's stack takes 20 bytes
-/// (f64: 36) a ray of a tile and level down to level 1024, 10 MB at most, and from there on 192
-/// (f64: 320) a level; and up to a quarter more, for it grows by that much.
+/// half a megabyte a thread (f64: one). Where paths go deep, a thread's stack takes 16 bytes
+/// (f64: 28) a ray of a tile and level down to level 1024, 9 MB at most, and from there on 168
+/// (f64: 264) a level; and up to a quarter more, for it grows by that much.
 ///
 /// # Errors
 /// [`StackFull`] if paths go too deep for the limit; the film is then void.
@@ -161,24 +162,23 @@ pub fn render_levels_planned(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Counts, StackFull> {
     assert_eq!(levels.len(), grid.width as usize * grid.height as usize, "a place for each pixel");
-    bands(scene, plan, grid, levels, settings, progress, |band, levels| {
-        band.render_levels(quantiser, levels)
-    })
+    bands(scene, plan, grid, quantiser, levels, settings, progress)
 }
 
-/// Hands out bands of rows to rayon's threads; `render` fills the pixels of one.
-fn bands<S: Lane, P: Send>(
+/// Hands out bands of rows to rayon's threads.
+fn bands<S: Lane, O: Output<S>>(
     scene: &Compiled<S>,
     plan: &Plan,
     grid: &Grid<S>,
-    pixels: &mut [P],
+    output: &O,
+    pixels: &mut [O::Pixel],
     settings: Settings,
     progress: &(dyn Fn(u64) + Sync),
-    render: impl Fn(&mut Band<S>, &mut [P]) -> Result<(), TooDeep> + Sync,
 ) -> Result<Counts, StackFull> {
     let budget = Budget::new(settings.stack_limit);
-    let sights = Sights::new(scene);
-    let occluders = Occluders::new(scene);
+    let tried = tried(scene, plan);
+    let occluders = Occluders::new(scene, &tried);
+    let sights = Sights::new(scene, tried);
     let hidden: Vec<_> = scene.lights.iter().map(|l| PointLight { hidden: true, ..*l }).collect();
     let band = || Band {
         scene,
@@ -198,7 +198,7 @@ fn bands<S: Lane, P: Send>(
         .zip(grid.rows.par_chunks(grid.samples as usize * tile::HEIGHT))
         .map_init(band, |band, (pixels, rows)| {
             band.rows = rows;
-            if budget.is_refused() || render(band, pixels).is_err() {
+            if budget.is_refused() || band.render(output, pixels).is_err() {
                 return Counts::default();
             }
             progress(pixels.len() as u64);
@@ -230,25 +230,28 @@ struct Band<'a, S: Lane> {
 
 impl<S: Lane> Band<'_, S> {
     /// Fills the pixels of whole rows.
-    fn render(&mut self, pixels: &mut [[S; 3]]) -> Result<(), TooDeep> {
+    fn render<O: Output<S>>(&mut self, output: &O, pixels: &mut [O::Pixel]) -> Result<(), TooDeep> {
         let width = self.grid.width as usize;
         for left in (0..width).step_by(tile::WIDTH) {
-            self.tile(left, pixels, width, left)?;
+            let right = width.min(left + tile::WIDTH);
+            if let Some(colour) = self.trace(left, right)? {
+                for row in pixels.chunks_exact_mut(width) {
+                    let (first, rest) = row[left..right].split_at_mut(1);
+                    output.put(&[colour], first);
+                    rest.fill(first[0]);
+                }
+            } else {
+                let colours = &*self.stack.eye_colours();
+                lanes::run(self.isa, Put { colours, output, pixels, width, left, right });
+            }
         }
         Ok(())
     }
 
-    /// Fills pixels of `width` a row, from column `at` on, with the tile at column `left`.
-    fn tile(
-        &mut self,
-        left: usize,
-        pixels: &mut [[S; 3]],
-        width: usize,
-        at: usize,
-    ) -> Result<bool, TooDeep> {
+    /// Traces the tile between two columns; see [`Tile`].
+    fn trace(&mut self, left: usize, right: usize) -> Result<Option<[S; 3]>, TooDeep> {
         let samples = self.grid.samples as usize;
-        let columns = &self.grid.columns[left * samples..];
-        let columns = &columns[..columns.len().min(tile::WIDTH * samples)];
+        let columns = &self.grid.columns[left * samples..right * samples];
         let mut eye = self.sights.all();
         if self.plan.omits(Omission::Tiles) {
             self.sights.candidates(&self.scene.eye, columns, self.rows, &mut self.eye);
@@ -270,57 +273,10 @@ impl<S: Lane> Band<'_, S> {
             samples,
             columns,
             rows: self.rows,
-            pixels,
-            width,
-            left: at,
             work: &mut self.work,
             stack: &mut self.stack,
+            watch: None,
         };
         lanes::run(self.isa, tile)
-    }
-}
-
-impl Band<'_, f32> {
-    /// Fills the levels of whole rows. Linear light exists a tile at a time.
-    fn render_levels(
-        &mut self,
-        quantiser: &Quantiser,
-        levels: &mut [[u8; 3]],
-    ) -> Result<(), TooDeep> {
-        let width = self.grid.width as usize;
-        let rows = levels.len() / width;
-        let mut linear = [[0.0; 3]; tile::WIDTH * tile::HEIGHT];
-        for left in (0..width).step_by(tile::WIDTH) {
-            let right = width.min(left + tile::WIDTH);
-            let linear = &mut linear[..rows * (right - left)];
-            let uniform = self.tile(left, linear, right - left, 0)?;
-            let rows = levels.chunks_exact_mut(width).map(|row| &mut row[left..right]);
-            if uniform {
-                let level = linear[0].map(|x| quantiser.level(x));
-                rows.for_each(|row| row.fill(level));
-            } else {
-                for (row, linear) in rows.zip(linear.chunks_exact(right - left)) {
-                    lanes::run(self.isa, Quantise { quantiser, linear, levels: row });
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Some pixels' quantisation, for lanes wider than the baseline's.
-struct Quantise<'a> {
-    quantiser: &'a Quantiser,
-    linear: &'a [[f32; 3]],
-    levels: &'a mut [[u8; 3]],
-}
-
-impl Kernel for Quantise<'_> {
-    type Scalar = f32;
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes<Scalar = f32>>(self) {
-        self.quantiser.levels(self.linear, self.levels);
     }
 }

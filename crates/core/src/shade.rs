@@ -5,28 +5,27 @@ use glam::DVec3;
 
 use crate::hits::Hits;
 use crate::lanes::{LANES, Lane, Lanes, Mask};
-use crate::nearest::Nearest;
+use crate::nearest::{Form, Nearest};
 use crate::packet::{NONE, Rays, World};
 use crate::plan::is_unlit;
 use crate::power::power;
 use crate::sight::in_f64;
-use crate::stack::Pending;
+use crate::stack::{Owed, Stack};
 use crate::surfaces::{Met, Origin, Surfaces};
 use crate::vec3::Vec3;
-use crate::wave::{Mirrored, PACKETS, Slot, Wave};
+use crate::wave::{Mirrored, Wave};
 use crate::{ball, flat, textbook};
 
 /// So many shadow tests are fewer than finding out which of them can be left out costs.
 const WORTH_BOUNDS: usize = 8;
 
 /// The level in flight, and the next.
-pub(crate) struct Level<'a, S> {
+pub(crate) struct Level<'a, 'b, S: Lane> {
     pub(crate) wave: &'a Wave<S>,
-    pub(crate) nearest: &'a [Nearest<S>; PACKETS],
+    pub(crate) nearest: &'a Nearest<S>,
     pub(crate) hits: &'a mut Hits,
-    pub(crate) pending: &'a mut [Pending<S>],
+    pub(crate) stack: &'a mut Stack<'b, S>,
     pub(crate) next: &'a mut Wave<S>,
-    pub(crate) next_pending: &'a mut [Pending<S>],
     /// Whether mirrored rays are traced.
     pub(crate) followed: bool,
 }
@@ -45,6 +44,13 @@ struct Lamps<'a, S: Scalar> {
     lights: &'a [PointLight<S>],
     occluders: &'a [u32],
     ends: &'a [usize],
+}
+
+/// What eight rays owe on the return.
+struct Owes<L: Lanes> {
+    local: Vec3<L>,
+    owed: [Owed; LANES],
+    k: L::Scalar,
 }
 
 /// Where eight rays met a primitive.
@@ -72,26 +78,31 @@ pub(crate) fn shade<L: Lanes>(
     level: &mut Level<L::Scalar>,
     shading: &mut Shading<L::Scalar>,
 ) -> u64 {
+    match &world.scene.primitives[index as usize].shape {
+        Shape::Ball(ball) => shade_form::<L, _>(*ball, world, index, level, shading),
+        Shape::Flat(flat) => shade_form::<L, _>(*flat, world, index, level, shading),
+        Shape::TextbookSphere(sphere) => shade_form::<L, _>(*sphere, world, index, level, shading),
+        Shape::TextbookPlane(plane) => shade_form::<L, _>(*plane, world, index, level, shading),
+    }
+}
+
+/// [`shade`] for a primitive of one form.
+#[inline(always)]
+fn shade_form<L: Lanes, F: Form<L::Scalar>>(
+    form: F,
+    world: World<L::Scalar>,
+    index: u32,
+    level: &mut Level<L::Scalar>,
+    shading: &mut Shading<L::Scalar>,
+) -> u64 {
     let scene = world.scene;
     let primitive = &scene.primitives[index as usize];
     let material = &scene.materials[primitive.material as usize];
     let followed = level.followed && material.mirror > L::Scalar::ZERO;
     let highlight = material.specular > L::Scalar::ZERO || !world.omit.directions;
-    let met = Met {
-        wave: level.wave,
-        nearest: level.nearest,
-        hits: level.hits,
-        index,
-        numerics: scene.numerics,
-        mirrors: followed || highlight,
-    };
     let Shading { surfaces, occluders, ends } = shading;
-    match &primitive.shape {
-        Shape::Ball(ball) => surfaces.collect::<L, _>(*ball, met),
-        Shape::Flat(flat) => surfaces.collect::<L, _>(*flat, met),
-        Shape::TextbookSphere(sphere) => surfaces.collect::<L, _>(*sphere, met),
-        Shape::TextbookPlane(plane) => surfaces.collect::<L, _>(*plane, met),
-    }
+    let met = Met { wave: level.wave, nearest: level.nearest, hits: level.hits, index };
+    surfaces.collect::<L, _>(form, met);
 
     let few = world.occluders.len() * surfaces.all().len() < WORTH_BOUNDS;
     let (center, radius) =
@@ -111,21 +122,23 @@ pub(crate) fn shade<L: Lanes>(
     let lamps = Lamps { lights, occluders, ends };
     let mut shadow = 0;
     for at in surfaces.all() {
-        let (point, normal) = (Vec3::from_arrays(&at.point), Vec3::from_arrays(&at.normal));
-        let start = match &primitive.shape {
-            Shape::Ball(_) | Shape::Flat(_) => point,
-            Shape::TextbookSphere(sphere) => textbook::sphere_start(sphere, point),
-            Shape::TextbookPlane(_) => textbook::plane_start(point, normal),
+        let (lanes, direction) = match at.rays {
+            Origin::Packet(packet) => (Mask::every(), level.wave.directions().packet(packet)),
+            Origin::Single(_, live) => (Mask::first(live), Vec3::from_arrays(&at.direction)),
         };
-        let place = Place { point, normal, start, mirrored: Vec3::from_arrays(&at.mirrored) };
-        let lanes = match at.rays {
-            Origin::Packet(_) => Mask::every(),
-            Origin::Single(_, live) => Mask::first(live),
-        };
-        let colour = local::<L>(world, material, &place, lamps, lanes, &mut shadow);
-        put(level.pending, &at.rays, colour);
+        let (point, normal) = form.surface(Vec3::from_arrays(&at.place), direction);
+        let mut place =
+            Place { point, normal, start: form.start(point, normal), mirrored: direction };
+        if followed || highlight {
+            place.mirrored = mirrored(F::NUMERICS, direction, normal);
+        }
+        let local = local::<L, F>(world, material, &place, lamps, lanes, &mut shadow);
+        let owed = owed(&at.rays, if followed { primitive.material } else { Owed::END });
         if followed {
-            go_on(world, index, material.mirror, &place, lanes, &at.rays, level);
+            let owes = Owes { local, owed, k: material.mirror };
+            go_on::<L, F>(world, index, &place, lanes, &at.rays, owes, level);
+        } else {
+            level.stack.push(local, &owed);
         }
     }
     shadow
@@ -136,7 +149,7 @@ pub(crate) fn shade<L: Lanes>(
 /// A lane that a lamp does not reach adds +0, which changes nothing: no colour is -0. Without
 /// a highlight the recursion adds 0 · power, which changes nothing either.
 #[inline(always)]
-fn local<L: Lanes>(
+fn local<L: Lanes, F: Form<L::Scalar>>(
     world: World<L::Scalar>,
     material: &Phong<L::Scalar>,
     at: &Place<L>,
@@ -154,12 +167,12 @@ fn local<L: Lanes>(
         let l = to_lamp * (L::constant(1.0) / distance);
         let facing = at.normal.dot(l);
         let zero = L::constant(0.0);
-        let faces = lanes & facing.gt(zero) & distance.gt(zero);
-        *shadow += faces.count();
+        let faces = facing.gt(zero) & distance.gt(zero);
+        *shadow += (faces & lanes).count();
         if lamp.hidden || !faces.any() {
             continue;
         }
-        let lit = visible(world, at, occluders, l, distance, faces);
+        let lit = visible::<L, F>(world, at, occluders, l, distance, faces);
         if !lit.any() {
             continue;
         }
@@ -175,7 +188,7 @@ fn local<L: Lanes>(
 
 /// The lanes of `faces` between which and a lamp none of `occluders` stands.
 #[inline(always)]
-fn visible<L: Lanes>(
+fn visible<L: Lanes, F: Form<L::Scalar>>(
     world: World<L::Scalar>,
     at: &Place<L>,
     occluders: &[u32],
@@ -186,17 +199,18 @@ fn visible<L: Lanes>(
     let mut lit = faces;
     let rays = Rays { origin: at.start, direction: l };
     for &index in occluders {
-        let dark = match &world.scene.primitives[index as usize].shape {
-            Shape::Ball(ball) => ball::occludes(ball, at.start, l, distance),
-            Shape::Flat(flat) => flat::occludes(flat, at.start, l, distance),
-            Shape::TextbookSphere(sphere) => {
+        let dark = match (F::NUMERICS, &world.scene.primitives[index as usize].shape) {
+            (Numerics::Robust, Shape::Ball(ball)) => ball::occludes(ball, at.start, l, distance),
+            (Numerics::Robust, Shape::Flat(flat)) => flat::occludes(flat, at.start, l, distance),
+            (Numerics::Textbook, Shape::TextbookSphere(sphere)) => {
                 let root = textbook::sphere_distance(sphere, &rays);
                 root.met & root.t.lt(distance)
             }
-            Shape::TextbookPlane(plane) => {
+            (Numerics::Textbook, Shape::TextbookPlane(plane)) => {
                 let root = textbook::plane_distance(plane, &rays);
                 root.met & root.t.lt(distance)
             }
+            _ => unreachable!("a scene's forms are all of its numerics"),
         };
         lit = lit.without(dark);
         if !lit.any() {
@@ -206,19 +220,27 @@ fn visible<L: Lanes>(
     lit
 }
 
-/// Keeps local colours until what the mirrors show comes back.
+/// d - 2 (d·n) n; robust: made a unit vector again by one Newton step.
 #[inline(always)]
-fn put<L: Lanes>(pending: &mut [Pending<L::Scalar>], rays: &Origin, colour: Vec3<L>) {
-    let colour = colour.to_arrays();
+fn mirrored<L: Lanes>(numerics: Numerics, d: Vec3<L>, n: Vec3<L>) -> Vec3<L> {
+    let v = d - n * (L::constant(2.0) * d.dot(n));
+    match numerics {
+        Numerics::Robust => v * (L::constant(1.5) - L::constant(0.5) * v.dot(v)),
+        Numerics::Textbook => v,
+    }
+}
+
+/// Whose rays came to a place, by the mirror of which material.
+#[inline(always)]
+fn owed(rays: &Origin, material: u32) -> [Owed; LANES] {
     match rays {
-        Origin::Packet(packet) => pending[*packet].colour = colour,
-        Origin::Single(slots, live) => {
-            for (lane, &slot) in slots[..*live].iter().enumerate() {
-                let to = &mut pending[slot as usize / LANES].colour;
-                for axis in 0..3 {
-                    to[axis][slot as usize % LANES] = colour[axis][lane];
-                }
+        Origin::Packet(packet) => [Owed::to_packet(*packet, material); LANES],
+        Origin::Single(slots, _) => {
+            let mut owed = [Owed::NOTHING; LANES];
+            for (owed, &slot) in owed.iter_mut().zip(slots) {
+                *owed = Owed::to_ray(slot, material);
             }
+            owed
         }
     }
 }
@@ -227,49 +249,48 @@ fn put<L: Lanes>(pending: &mut [Pending<L::Scalar>], rays: &Origin, colour: Vec3
 ///
 /// Without a cut every weight passes, and weights are not even formed.
 #[inline(always)]
-fn go_on<L: Lanes>(
+fn go_on<L: Lanes, F: Form<L::Scalar>>(
     world: World<L::Scalar>,
     index: u32,
-    k: L::Scalar,
     at: &Place<L>,
     lanes: Mask<L>,
     rays: &Origin,
+    owes: Owes<L>,
     level: &mut Level<L::Scalar>,
 ) {
-    let left = match world.scene.numerics {
+    let left = match F::NUMERICS {
         Numerics::Robust => index,
         Numerics::Textbook => NONE,
     };
-    let mut next = Mirrored { origin: at.start, direction: at.mirrored, weight: None, k, left };
+    let rays_on = Rays { origin: at.start, direction: at.mirrored };
+    let mut next = Mirrored { rays: rays_on, weight: None, left };
     let mut goes_on = lanes;
     if world.scene.min_weight > L::Scalar::ZERO {
         let weight = match rays {
-            Origin::Packet(packet) => L::from_array(*level.wave.weight(*packet)),
-            Origin::Single(slots, live) => {
-                let mut weight = [L::Scalar::ZERO; LANES];
-                for (weight, &slot) in weight.iter_mut().zip(&slots[..*live]) {
-                    *weight = level.wave.weight(slot as usize / LANES)[slot as usize % LANES];
-                }
-                L::from_array(weight)
-            }
+            Origin::Packet(packet) => level.wave.weights().packet::<L>(*packet),
+            Origin::Single(slots, _) => level.wave.weights().gather(slots),
         };
-        let product = weight * L::splat(k);
+        let product = weight * L::splat(owes.k);
         goes_on = goes_on & product.ge(L::splat(world.scene.min_weight));
         next.weight = Some(product);
     }
-    match rays {
-        Origin::Packet(packet) if goes_on.all() => {
-            level.next.push_packet(&next, *packet, level.next_pending);
-        }
-        Origin::Packet(packet) => {
-            let mut slots: [Slot; LANES] = [0; LANES];
-            for (lane, slot) in slots.iter_mut().enumerate() {
-                *slot = (packet * LANES + lane) as Slot;
-            }
-            level.next.push_lanes(&next, goes_on, &slots, level.next_pending);
-        }
-        Origin::Single(slots, _) => {
-            level.next.push_lanes(&next, goes_on, slots, level.next_pending);
-        }
+    if goes_on.all() {
+        level.next.push(&next);
+        level.stack.push(owes.local, &owes.owed);
+        return;
     }
+    let (local, owed) = (owes.local.to_arrays(), Owed::each(&owes.owed));
+    let ends = lanes.without(goes_on).bits();
+    if ends != 0 {
+        // Lanes that go on repeat the first one that ends.
+        let first = ends.trailing_zeros() as usize % LANES;
+        let from = |lane: usize| if ends >> lane & 1 != 0 { lane } else { first };
+        let mut ended = [Owed::NOTHING; LANES];
+        for (lane, ended) in ended.iter_mut().enumerate() {
+            *ended = owed[from(lane)].ended();
+        }
+        let axis = |axis: usize| L::gather(|lane| local[axis][from(lane)]);
+        level.stack.push(Vec3 { x: axis(0), y: axis(1), z: axis(2) }, &ended);
+    }
+    level.next.push_lanes(&next, goes_on, &local, &owed, level.stack);
 }

@@ -26,19 +26,20 @@ enum Sight {
     Half { axis: DVec3 },
 }
 
-/// For each primitive, from where it may be seen.
+/// Primitives, and for each from where it may be seen.
 pub(crate) struct Sights {
     sights: Vec<Sight>,
     all: Vec<u32>,
 }
 
 impl Sights {
-    pub(crate) fn new<S: Scalar>(scene: &Compiled<S>) -> Self {
-        let sights = scene.primitives.iter().map(|primitive| sight(&primitive.shape)).collect();
-        Self { sights, all: (0..).zip(&scene.primitives).map(|(index, _)| index).collect() }
+    /// Of the primitives of these indices.
+    pub(crate) fn new<S: Scalar>(scene: &Compiled<S>, tried: Vec<u32>) -> Self {
+        let sight = |&index: &u32| sight(&scene.primitives[index as usize].shape);
+        Self { sights: tried.iter().map(sight).collect(), all: tried }
     }
 
-    /// The indices of all primitives.
+    /// The indices of all of them.
     pub(crate) fn all(&self) -> &[u32] {
         &self.all
     }
@@ -56,7 +57,8 @@ impl Sights {
         candidates.clear();
         let cone = TileCone::new(eye, columns, rows);
         let seen = |sight: &&Sight| cone.as_ref().is_none_or(|cone| cone.meets(sight));
-        candidates.extend((0..).zip(&self.sights).filter(|(_, sight)| seen(sight)).map(|(i, _)| i));
+        let all = self.all.iter().zip(&self.sights);
+        candidates.extend(all.filter(|(_, sight)| seen(sight)).map(|(index, _)| index));
     }
 }
 

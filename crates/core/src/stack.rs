@@ -1,54 +1,121 @@
 //! The stack: what every level of a tile still owes, and what was counted there.
 //!
 //! A mirror has one child, so each eye ray's stack is a chain, and the rays in flight (origin,
-//! direction, weight) are held once, in the waves. A level below them keeps of each ray only
-//! what it needs when a colour comes back: the colour so far, and what the level above takes of
-//! it, k, for which ray. That is 20 bytes a ray and level in f32.
+//! direction, weight) are held once, in the waves. Of a level below them there is kept, for each
+//! ray that met something, only what is needed on the return: the local light, whose it is, and
+//! the mirror that says how much of the mirrored ray's colour is added to it. That is 16 bytes a
+//! ray and level in f32. The colours that come back exist for one level at a time.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use catoptric_scene::{Counts, DepthCount};
+use catoptric_scene::{Counts, DepthCount, MOST_PRIMITIVES, Phong, Scalar};
 
 use crate::lanes::{LANES, Lane, Lanes};
+use crate::packet::wave_of;
+use crate::plane::{PACKETS, RAYS, Slot, Vectors};
 use crate::vec3::{Packed, Vec3};
-use crate::wave::{PACKETS, Slot};
 
 /// Bytes of a stack that a ray takes at each level, in f32.
 pub const RAY_LEVEL_BYTES: usize = size_of::<Pending<f32>>() / LANES;
 
-/// Eight rays whose colour is not yet complete.
+/// Eight rays whose colour waits to be complete, or is.
 #[derive(Clone, Copy)]
 #[repr(align(32))]
 pub(crate) struct Pending<S> {
-    /// Local light, or the background; complete once all deeper levels are folded back.
-    pub(crate) colour: Packed<S>,
-    /// How much of it goes back to the level above.
-    pub(crate) k: [S; LANES],
-    /// To which rays of that level.
-    pub(crate) parents: [Slot; LANES],
-    /// The parents are a packet, lane by lane.
-    pub(crate) side_by_side: bool,
-    pub(crate) live: u32,
+    /// What lamps send back from where the rays met something.
+    pub(crate) local: Packed<S>,
+    /// Whose it is. Lanes without a ray are the last ones and repeat the first.
+    pub(crate) owed: [Owed; LANES],
 }
 
 impl<S: Lane> Pending<S> {
-    pub(crate) const EMPTY: Self = Self {
-        colour: [[S::ZERO; LANES]; 3],
-        k: [S::ZERO; LANES],
-        parents: [0; LANES],
-        side_by_side: false,
-        live: 0,
-    };
+    const EMPTY: Self = Self { local: [[S::ZERO; LANES]; 3], owed: [Owed::NOTHING; LANES] };
+}
+
+/// The ray that a colour belongs to, and by the mirror of which material its mirrored ray's colour
+/// is added. In bits 0 to 8 the ray's slot, in bits 9 to 30 the material, or [`Owed::END`] where no
+/// mirror is followed; that is the same for all eight. Bit 31 is set in all lanes where they are
+/// the lanes of one packet; the slot is then that of its first.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Owed(u32);
+
+/// A scene's materials are no more than its primitives.
+const _: () = assert!(MOST_PRIMITIVES < Owed::END as usize);
+
+impl Owed {
+    /// Of no ray.
+    pub(crate) const NOTHING: Self = Self(u32::MAX);
+    /// In place of a material.
+    pub(crate) const END: u32 = (1 << 22) - 1;
+    const WHOLE: u32 = 1 << 31;
+    const SLOTS: u32 = RAYS as u32;
+
+    #[inline(always)]
+    pub(crate) fn to_ray(slot: Slot, material: u32) -> Self {
+        Self(material * Self::SLOTS + u32::from(slot))
+    }
+
+    #[inline(always)]
+    pub(crate) fn to_packet(packet: usize, material: u32) -> Self {
+        Self(Self::WHOLE | (material * Self::SLOTS + (packet * LANES) as u32))
+    }
+
+    /// Lane by lane, of what may be a packet.
+    #[inline(always)]
+    pub(crate) fn each(owed: &[Self; LANES]) -> [Self; LANES] {
+        let mut each = *owed;
+        if owed[0].is_whole() {
+            for (lane, each) in each.iter_mut().enumerate() {
+                each.0 = (each.0 & !Self::WHOLE) + lane as u32;
+            }
+        }
+        each
+    }
+
+    /// The same ray, whose mirror is not followed.
+    #[inline(always)]
+    pub(crate) fn ended(self) -> Self {
+        Self(Self::END * Self::SLOTS + self.0 % Self::SLOTS)
+    }
+
+    #[inline(always)]
+    fn is_whole(self) -> bool {
+        self.0 & Self::WHOLE != 0
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_end(self) -> bool {
+        self.material() == Self::END
+    }
+
+    #[inline(always)]
+    fn slot(self) -> usize {
+        (self.0 % Self::SLOTS) as usize
+    }
+
+    #[inline(always)]
+    fn material(self) -> u32 {
+        (self.0 & !Self::WHOLE) / Self::SLOTS
+    }
+
+    /// How much of the mirrored ray's colour is added; 0 where there is none.
+    #[inline(always)]
+    pub(crate) fn k<S: Scalar>(self, materials: &[Phong<S>]) -> S {
+        materials.get(self.material() as usize).map_or(S::ZERO, |material| material.mirror)
+    }
 }
 
 /// The stack of one thread. It grows as rays go deep and is kept between tiles.
 pub(crate) struct Stack<'a, S: Lane> {
-    /// All levels down to the one in flight, one after another.
+    /// All levels down to the one in flight, one after another. The first of a level's packets
+    /// that is no end waits for the first packet of the next wave, and so on.
     packets: Vec<Pending<S>>,
     /// How many packets that is.
     len: usize,
     levels: Vec<Level>,
     depth: usize,
+    /// Complete colours of a wave's rays, for each of the waves.
+    colours: [Box<Vectors<S>>; 4],
     budget: &'a Budget,
     granted: usize,
 }
@@ -57,6 +124,9 @@ pub(crate) struct Stack<'a, S: Lane> {
 struct Level {
     /// Its first packet.
     start: usize,
+    /// Packets of the wave in which some ray met nothing are among so many, from this one on.
+    first_missed: u8,
+    missed: u8,
     count: DepthCount,
 }
 
@@ -101,6 +171,7 @@ impl<'a, S: Lane> Stack<'a, S> {
             len: 0,
             levels: vec![Level::default(); Self::FIRST],
             depth: 0,
+            colours: std::array::from_fn(|_| Box::new(Vectors::zero())),
             budget,
             granted: 0,
         }
@@ -112,12 +183,13 @@ impl<'a, S: Lane> Stack<'a, S> {
         self.budget.is_refused()
     }
 
-    /// Makes room for a level of at most so many packets below the one in flight; false if the
-    /// limit forbids it.
+    /// Makes room for the level in flight, of so many packets, and for one below it; false if the
+    /// limit forbids it. Each packet of rays leaves one here, and its rays that do not fill a packet
+    /// of mirrored ones another.
     #[inline(always)]
     pub(crate) fn make_room(&mut self, packets: usize) -> bool {
-        (self.len + packets <= self.packets.len() && self.depth + 1 < self.levels.len())
-            || self.grow(packets)
+        (self.len + 2 * packets <= self.packets.len() && self.depth + 1 < self.levels.len())
+            || self.grow(2 * packets)
     }
 
     /// Adds a quarter to what is full, unless this stack or another was refused more. Out of
@@ -146,10 +218,10 @@ impl<'a, S: Lane> Stack<'a, S> {
         grown
     }
 
-    /// Puts a level of so many eye rays' packets in place of all there is.
+    /// Puts the level of eye rays in place of all there is.
     #[inline(always)]
-    pub(crate) fn start(&mut self, packets: usize) -> &mut DepthCount {
-        self.len = packets;
+    pub(crate) fn start(&mut self) -> &mut DepthCount {
+        self.len = 0;
         self.depth = 0;
         self.count()
     }
@@ -165,69 +237,86 @@ impl<'a, S: Lane> Stack<'a, S> {
         &mut self.levels[self.depth].count
     }
 
-    /// The level in flight, and room for the next.
-    #[inline(always)]
-    pub(crate) fn level_and_next(&mut self) -> (&mut [Pending<S>], &mut [Pending<S>]) {
-        let (levels, next) = self.packets.split_at_mut(self.len);
-        (&mut levels[self.levels[self.depth].start..], next)
-    }
-
-    /// The level in flight.
+    /// Packets of the level in flight.
     #[inline(always)]
     pub(crate) fn level(&self) -> &[Pending<S>] {
         &self.packets[self.levels[self.depth].start..self.len]
     }
 
-    /// The level above the one in flight.
+    /// Some rays among so many packets from `first` on met nothing.
     #[inline(always)]
-    pub(crate) fn level_above(&self) -> &[Pending<S>] {
-        let above = self.levels[self.depth - 1].start;
-        &self.packets[above..self.levels[self.depth].start]
+    pub(crate) fn missed(&mut self, first: usize, packets: usize) {
+        let level = &mut self.levels[self.depth];
+        (level.first_missed, level.missed) = (first as u8, packets as u8);
     }
 
-    /// Room for the next level.
+    /// Puts eight rays of the level in flight on the stack.
     #[inline(always)]
-    pub(crate) fn next(&self) -> &[Pending<S>] {
-        &self.packets[self.len..]
+    pub(crate) fn push<L: Lanes<Scalar = S>>(&mut self, local: Vec3<L>, owed: &[Owed; LANES]) {
+        let pending = &mut self.packets[self.len];
+        (pending.local, pending.owed) = (local.to_arrays(), *owed);
+        self.len += 1;
     }
 
-    /// The next level, of so many packets, is in flight.
+    /// The next level is in flight.
     #[inline(always)]
-    pub(crate) fn descend(&mut self, packets: usize) {
+    pub(crate) fn descend(&mut self) {
         self.depth += 1;
         self.levels[self.depth].start = self.len;
-        self.len += packets;
     }
 
-    /// Folds the level in flight back: colour = local + k · what comes back, as the recursion
-    /// forms it. The level above is then the one in flight.
+    /// The level above is in flight.
     #[inline(always)]
-    pub(crate) fn fold<L: Lanes<Scalar = S>>(&mut self) {
-        let start = self.levels[self.depth].start;
+    pub(crate) fn ascend(&mut self) {
         self.depth -= 1;
-        let (levels, level) = self.packets[..self.len].split_at_mut(start);
-        let parents = &mut levels[self.levels[self.depth].start..];
-        for pending in &*level {
-            let (back, k) = (Vec3::<L>::from_arrays(&pending.colour), L::from_array(pending.k));
-            if pending.side_by_side {
-                let colour = &mut parents[pending.parents[0] as usize / LANES].colour;
-                *colour = fold(Vec3::from_arrays(colour), k, back).to_arrays();
-                continue;
+    }
+
+    /// Complete colours of a level's wave.
+    #[inline(always)]
+    pub(crate) fn colours(&self, depth: usize) -> &Vectors<S> {
+        &self.colours[wave_of(depth)]
+    }
+
+    /// Those of eye rays.
+    #[inline(always)]
+    pub(crate) fn eye_colours(&mut self) -> &mut Vectors<S> {
+        &mut self.colours[0]
+    }
+
+    /// Takes the level in flight off the stack: completes its rays' colours, local + k · what comes
+    /// back from the level below, as the recursion forms them.
+    #[inline(always)]
+    pub(crate) fn fold<L: Lanes<Scalar = S>>(
+        &mut self,
+        materials: &[Phong<S>],
+        background: S::Vec3,
+    ) {
+        let Level { start, first_missed, missed, .. } = self.levels[self.depth];
+        let Ok([colours, below]) =
+            self.colours.get_disjoint_mut([wave_of(self.depth), wave_of(self.depth + 1)])
+        else {
+            unreachable!("two waves");
+        };
+        self.levels[self.depth].missed = 0;
+        for packet in first_missed..first_missed + missed {
+            colours.put(packet as usize, Vec3::<L>::splat(background));
+        }
+        let mut first_below = 0;
+        for pending in &self.packets[start..self.len] {
+            let (mut colour, owed) = (Vec3::<L>::from_arrays(&pending.local), &pending.owed);
+            if !owed[0].is_end() {
+                let k = if owed[0].is_whole() {
+                    L::splat(owed[0].k(materials))
+                } else {
+                    L::gather(|lane| owed[lane].k(materials))
+                };
+                colour = fold(colour, k, below.packet(first_below));
+                first_below += 1;
             }
-            let places = &pending.parents[..LANES.min(pending.live as usize)];
-            let mut local = [[S::ZERO; LANES]; 3];
-            for (lane, &slot) in places.iter().enumerate() {
-                let parent = &parents[slot as usize / LANES].colour;
-                for axis in 0..3 {
-                    local[axis][lane] = parent[axis][slot as usize % LANES];
-                }
-            }
-            let colour = fold(Vec3::from_arrays(&local), k, back).to_arrays();
-            for (lane, &slot) in places.iter().enumerate() {
-                let parent = &mut parents[slot as usize / LANES].colour;
-                for axis in 0..3 {
-                    parent[axis][slot as usize % LANES] = colour[axis][lane];
-                }
+            if owed[0].is_whole() {
+                colours.put(owed[0].slot() / LANES, colour);
+            } else {
+                colours.scatter(|lane| owed[lane].slot(), colour);
             }
         }
         self.len = start;

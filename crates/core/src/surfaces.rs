@@ -1,25 +1,23 @@
 //! Where the rays of a level met one primitive.
 
-use catoptric_scene::Numerics;
 use glam::DVec3;
 
-use crate::hits::Hits;
+use crate::hits::{Hits, Singles};
 use crate::lanes::{LANES, Lane, Lanes};
 use crate::nearest::{Form, Nearest};
 use crate::packet::Rays;
+use crate::plane::{PACKETS, Slot};
 use crate::vec3::{Packed, Vec3};
-use crate::wave::{PACKETS, RayPacket, Slot, Wave};
+use crate::wave::Wave;
 
-/// Eight places at most.
+/// Eight places at most; lanes without one repeat the first.
 #[derive(Clone, Copy)]
 #[repr(align(32))]
 pub(crate) struct Surface<S> {
-    /// The points that are lit.
-    pub(crate) point: Packed<S>,
-    /// Unit normals.
-    pub(crate) normal: Packed<S>,
-    /// Directions of the mirrored rays, if anything needs them.
-    pub(crate) mirrored: Packed<S>,
+    /// What the form makes points and normals of.
+    pub(crate) place: Packed<S>,
+    /// Of single rays, their directions; a packet's are in its wave.
+    pub(crate) direction: Packed<S>,
     pub(crate) rays: Origin,
 }
 
@@ -28,7 +26,7 @@ pub(crate) struct Surface<S> {
 pub(crate) enum Origin {
     /// A packet, lane by lane.
     Packet(usize),
-    /// So many single rays.
+    /// So many single rays, the others repeat the first.
     Single([Slot; LANES], usize),
 }
 
@@ -36,8 +34,7 @@ pub(crate) enum Origin {
 pub(crate) struct Surfaces<S> {
     list: Vec<Surface<S>>,
     len: usize,
-    gathered: RayPacket<S>,
-    distance: [S; LANES],
+    singles: Singles,
     least: Packed<S>,
     most: Packed<S>,
 }
@@ -45,23 +42,19 @@ pub(crate) struct Surfaces<S> {
 /// What rays of a level have met, to be collected.
 pub(crate) struct Met<'a, S> {
     pub(crate) wave: &'a Wave<S>,
-    pub(crate) nearest: &'a [Nearest<S>; PACKETS],
+    pub(crate) nearest: &'a Nearest<S>,
     pub(crate) hits: &'a mut Hits,
     pub(crate) index: u32,
-    pub(crate) numerics: Numerics,
-    pub(crate) mirrors: bool,
 }
 
 impl<S: Lane> Surfaces<S> {
     pub(crate) fn new() -> Self {
         let empty = [[S::ZERO; LANES]; 3];
-        let surface =
-            Surface { point: empty, normal: empty, mirrored: empty, rays: Origin::Packet(0) };
+        let surface = Surface { place: empty, direction: empty, rays: Origin::Packet(0) };
         Self {
             list: vec![surface; PACKETS],
             len: 0,
-            gathered: RayPacket::EMPTY,
-            distance: [S::ZERO; LANES],
+            singles: Singles::new(),
             least: empty,
             most: empty,
         }
@@ -81,32 +74,25 @@ impl<S: Lane> Surfaces<S> {
         let mut most = Vec3::all(L::constant(f64::NEG_INFINITY));
         let mut list = self.list.iter_mut();
         let mut len = 0;
-        let (numerics, mirrors) = (met.numerics, met.mirrors);
-        while let Some(packet) = met.hits.take_packet(met.index) {
+        let mut next = met.hits.take_packets(met.index);
+        while let Some(packet) = next {
             let Some(at) = list.next() else { break };
+            next = met.hits.next_packet(packet);
             len += 1;
             at.rays = Origin::Packet(packet);
-            let distance = &met.nearest[packet % PACKETS].distance;
-            let point = at.fill::<L, F>(form, numerics, mirrors, met.wave.packet(packet), distance);
+            let rays = met.wave.rays(packet);
+            let point = at.fill::<L, F>(form, &rays, met.nearest.distance.packet(packet));
             (least, most) = (least.least(point), most.most(point));
         }
-        let mut slots = [0; LANES];
-        while let live @ 1.. = met.hits.take_rays(met.index, &mut slots) {
+        met.hits.take_singles(met.index, &mut self.singles);
+        for group in 0..self.singles.groups() {
             let Some(at) = list.next() else { break };
             len += 1;
+            let (slots, live) = self.singles.group(group);
             at.rays = Origin::Single(slots, live);
-            // Lanes without a ray repeat the first, which leaves the bounds as they are.
-            for to in 0..LANES {
-                let slot = slots[if to < live { to } else { 0 }] as usize;
-                let (packet, from) = (slot / LANES, slot % LANES);
-                let rays = met.wave.packet(packet);
-                for axis in 0..3 {
-                    self.gathered.origin[axis][to] = rays.origin[axis][from];
-                    self.gathered.direction[axis][to] = rays.direction[axis][from];
-                }
-                self.distance[to] = met.nearest[packet % PACKETS].distance[from];
-            }
-            let point = at.fill::<L, F>(form, numerics, mirrors, &self.gathered, &self.distance);
+            let rays = met.wave.gather(&slots);
+            at.direction = rays.direction.to_arrays();
+            let point = at.fill::<L, F>(form, &rays, met.nearest.distance.gather(&slots));
             (least, most) = (least.least(point), most.most(point));
         }
         self.len = len;
@@ -139,31 +125,11 @@ impl<S: Lane> Surface<S> {
     fn fill<L: Lanes<Scalar = S>, F: Form<S>>(
         &mut self,
         form: F,
-        numerics: Numerics,
-        mirrors: bool,
-        rays: &RayPacket<S>,
-        distance: &[S; LANES],
+        rays: &Rays<L>,
+        distance: L,
     ) -> Vec3<L> {
-        let rays = Rays {
-            origin: Vec3::from_arrays(&rays.origin),
-            direction: Vec3::from_arrays(&rays.direction),
-        };
-        let (point, normal) = form.surface(&rays, L::from_array(*distance));
-        self.point = point.to_arrays();
-        self.normal = normal.to_arrays();
-        if mirrors {
-            self.mirrored = mirrored(numerics, rays.direction, normal).to_arrays();
-        }
-        point
-    }
-}
-
-/// d - 2 (d·n) n; robust: made a unit vector again by one Newton step.
-#[inline(always)]
-fn mirrored<L: Lanes>(numerics: Numerics, d: Vec3<L>, n: Vec3<L>) -> Vec3<L> {
-    let v = d - n * (L::constant(2.0) * d.dot(n));
-    match numerics {
-        Numerics::Robust => v * (L::constant(1.5) - L::constant(0.5) * v.dot(v)),
-        Numerics::Textbook => v,
+        let place = form.place(rays, distance);
+        self.place = place.to_arrays();
+        form.surface(place, rays.direction).0
     }
 }

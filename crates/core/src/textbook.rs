@@ -1,6 +1,6 @@
 //! The workshop's formulas on eight rays: `reference::textbook`, lane by lane.
 
-use catoptric_scene::{TextbookPlane, TextbookSphere};
+use catoptric_scene::{Numerics, TextbookPlane, TextbookSphere};
 
 use crate::lanes::{Lane, Lanes, Mask};
 use crate::nearest::Form;
@@ -31,6 +31,7 @@ pub(crate) fn sphere_distance<L: Lanes>(
 }
 
 impl<S: Lane> Form<S> for TextbookSphere<S> {
+    const NUMERICS: Numerics = Numerics::Textbook;
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
@@ -39,12 +40,26 @@ impl<S: Lane> Form<S> for TextbookSphere<S> {
     }
 
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> (Vec3<L>, Vec3<L>) {
-        sphere_surface(self, rays, t)
+    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+        rays.origin + rays.direction * t
+    }
+
+    /// n = (p - c)/|p - c|.
+    #[inline(always)]
+    fn surface<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
+        let from_center = point - Vec3::splat(self.center);
+        (point, from_center * (L::constant(1.0) / from_center.length()))
+    }
+
+    /// p + (p - c)·1e-4.
+    #[inline(always)]
+    fn start<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _: Vec3<L>) -> Vec3<L> {
+        point + (point - Vec3::splat(self.center)) * L::constant(OFFSET)
     }
 }
 
 impl<S: Lane> Form<S> for TextbookPlane<S> {
+    const NUMERICS: Numerics = Numerics::Textbook;
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
@@ -53,37 +68,27 @@ impl<S: Lane> Form<S> for TextbookPlane<S> {
     }
 
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> (Vec3<L>, Vec3<L>) {
-        plane_surface(self, rays, t)
+    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+        rays.origin + rays.direction * t
     }
-}
 
-/// n = (p - c)/|p - c|; rays start at p + (p - c)·1e-4.
-#[inline(always)]
-pub(crate) fn sphere_surface<L: Lanes>(
-    sphere: &TextbookSphere<L::Scalar>,
-    rays: &Rays<L>,
-    t: L,
-) -> (Vec3<L>, Vec3<L>) {
-    let point = rays.origin + rays.direction * t;
-    let from_center = point - Vec3::splat(sphere.center);
-    let normal = from_center * (L::constant(1.0) / from_center.length());
-    (point, normal)
-}
+    /// The normal faces the ray.
+    #[inline(always)]
+    fn surface<L: Lanes<Scalar = S>>(
+        &self,
+        point: Vec3<L>,
+        direction: Vec3<L>,
+    ) -> (Vec3<L>, Vec3<L>) {
+        let away = Vec3::splat(self.normal).dot(direction).gt(L::constant(0.0));
+        let turned = Vec3::splat(-self.normal);
+        (point, Vec3::select(away, turned, Vec3::splat(self.normal)))
+    }
 
-/// p + (p - c)·1e-4.
-#[inline(always)]
-pub(crate) fn sphere_start<L: Lanes>(
-    sphere: &TextbookSphere<L::Scalar>,
-    point: Vec3<L>,
-) -> Vec3<L> {
-    point + (point - Vec3::splat(sphere.center)) * L::constant(OFFSET)
-}
-
-/// p + n·1e-4.
-#[inline(always)]
-pub(crate) fn plane_start<L: Lanes>(point: Vec3<L>, normal: Vec3<L>) -> Vec3<L> {
-    point + normal * L::constant(OFFSET)
+    /// p + n·1e-4.
+    #[inline(always)]
+    fn start<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, normal: Vec3<L>) -> Vec3<L> {
+        point + normal * L::constant(OFFSET)
+    }
 }
 
 /// t = (n·point - n·o)/(n·d), where positive.
@@ -95,18 +100,4 @@ pub(crate) fn plane_distance<L: Lanes>(
     let normal = Vec3::splat(plane.normal);
     let t = (L::splat(plane.offset) - normal.dot(rays.origin)) / normal.dot(rays.direction);
     Distance { t, met: t.gt(L::constant(0.0)) }
-}
-
-/// The normal faces the ray; rays start at p + n·1e-4.
-#[inline(always)]
-pub(crate) fn plane_surface<L: Lanes>(
-    plane: &TextbookPlane<L::Scalar>,
-    rays: &Rays<L>,
-    t: L,
-) -> (Vec3<L>, Vec3<L>) {
-    let point = rays.origin + rays.direction * t;
-    let away = Vec3::splat(plane.normal).dot(rays.direction).gt(L::constant(0.0));
-    let turned = Vec3::splat(-plane.normal);
-    let normal = Vec3::select(away, turned, Vec3::splat(plane.normal));
-    (point, normal)
 }

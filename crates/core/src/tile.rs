@@ -2,9 +2,10 @@
 
 use crate::lanes::{Kernel, LANES, Lane, Lanes};
 use crate::packet::{TooDeep, Work, World, trace};
+use crate::plane::PACKETS;
 use crate::stack::Stack;
 use crate::vec3::Vec3;
-use crate::wave::PACKETS;
+use crate::watch::Watcher;
 
 /// Columns of a tile: few enough that most tiles show few primitives, many enough that finding
 /// out which costs little.
@@ -22,24 +23,22 @@ pub(crate) struct Tile<'a, 'b, S: Lane> {
     pub(crate) columns: &'a [S],
     /// Vertical positions of the tile's sub-rows, `samples` a row.
     pub(crate) rows: &'a [S],
-    /// Whole rows of the picture, `width` pixels each; the tile begins at column `left`.
-    pub(crate) pixels: &'a mut [[S; 3]],
-    pub(crate) width: usize,
-    pub(crate) left: usize,
     pub(crate) work: &'a mut Work<S>,
     pub(crate) stack: &'a mut Stack<'b, S>,
+    /// Sees the first ray. Its tile is never filled without a ray.
+    pub(crate) watch: Option<&'a mut Watcher<'b, S>>,
 }
 
 impl<S: Lane> Kernel for Tile<'_, '_, S> {
     type Scalar = S;
-    /// Whether no eye ray can meet anything, so that all pixels are the same.
-    type Output = Result<bool, TooDeep>;
+    /// The one colour of all pixels where no eye ray can meet anything; otherwise the pixels'
+    /// colours are in the stack's `eye_colours`.
+    type Output = Result<Option<[S; 3]>, TooDeep>;
 
     #[inline(always)]
-    fn run<L: Lanes<Scalar = S>>(mut self) -> Result<bool, TooDeep> {
-        if self.world.candidates.eye.is_empty() {
-            self.show_background::<L>();
-            return Ok(true);
+    fn run<L: Lanes<Scalar = S>>(mut self) -> Result<Option<[S; 3]>, TooDeep> {
+        if self.world.candidates.eye.is_empty() && self.watch.is_none() {
+            return Ok(Some(self.background::<L>()));
         }
         let n = self.samples;
         // One sample is the mean: 0 + c is c, and so is c / 1.
@@ -48,33 +47,28 @@ impl<S: Lane> Kernel for Tile<'_, '_, S> {
         } else {
             self.mean::<L>()?;
         }
-        self.write::<L>();
-        Ok(false)
+        Ok(None)
     }
 }
 
 impl<S: Lane> Tile<'_, '_, S> {
     /// No eye ray meets anything: every sample is the background.
     #[inline(always)]
-    fn show_background<L: Lanes<Scalar = S>>(&mut self) {
-        self.stack.start(0).rays += (self.columns.len() * self.rows.len()) as u64;
-        let mut colour = self.world.scene.background.into();
-        if self.samples > 1 {
-            let samples = self.samples * self.samples;
-            let background = Vec3::<L>::splat(self.world.scene.background);
-            let mut sum = Vec3::zero();
-            for _ in 0..samples {
-                sum = sum + background;
-            }
-            colour = sum.over(L::constant(samples as f64)).first();
+    fn background<L: Lanes<Scalar = S>>(&mut self) -> [S; 3] {
+        self.stack.start().rays += (self.columns.len() * self.rows.len()) as u64;
+        if self.samples == 1 {
+            return self.world.scene.background.into();
         }
-        let right = self.left + self.columns.len() / self.samples;
-        for row in self.pixels.chunks_exact_mut(self.width) {
-            row[self.left..right].fill(colour);
+        let samples = self.samples * self.samples;
+        let background = Vec3::<L>::splat(self.world.scene.background);
+        let mut sum = Vec3::zero();
+        for _ in 0..samples {
+            sum = sum + background;
         }
+        sum.over(L::constant(samples as f64)).first()
     }
 
-    /// The mean of all samples, summed from 0 row by row: in level 0 of the stack.
+    /// The mean of all samples, summed from 0 row by row: in place of the colours.
     #[inline(always)]
     fn mean<L: Lanes<Scalar = S>>(&mut self) -> Result<(), TooDeep> {
         let n = self.samples;
@@ -85,15 +79,15 @@ impl<S: Lane> Tile<'_, '_, S> {
         for j in 0..n {
             for i in 0..n {
                 self.trace::<L>(i, j)?;
-                for (sum, sample) in self.work.sums.iter_mut().zip(self.stack.level()) {
-                    let sample = Vec3::<L>::from_arrays(&sample.colour);
+                for (packet, sum) in self.work.sums.iter_mut().enumerate() {
+                    let sample = self.stack.eye_colours().packet::<L>(packet);
                     *sum = (Vec3::from_arrays(sum) + sample).to_arrays();
                 }
             }
         }
         let samples = L::constant((n * n) as f64);
-        for (pending, sum) in self.stack.level_and_next().0.iter_mut().zip(&*self.work.sums) {
-            pending.colour = Vec3::<L>::from_arrays(sum).over(samples).to_arrays();
+        for (packet, sum) in self.work.sums.iter().enumerate() {
+            self.stack.eye_colours().put(packet, Vec3::<L>::from_arrays(sum).over(samples));
         }
         Ok(())
     }
@@ -124,35 +118,12 @@ impl<S: Lane> Tile<'_, '_, S> {
                 wave.push_eye(unit(Vec3::from_arrays(across) + up), *live);
             }
         }
-        trace::<L>(self.world, self.work, self.stack, &mut ())
-    }
-
-    /// Writes the colours of level 0.
-    #[inline(always)]
-    fn write<L: Lanes<Scalar = S>>(&mut self) {
-        let right = self.left + self.columns.len() / self.samples;
-        let mut colours = self.stack.level().iter();
-        for row in self.pixels.chunks_exact_mut(self.width) {
-            let (whole, rest) = row[self.left..right].as_chunks_mut();
-            for (pixels, colour) in whole.iter_mut().zip(&mut colours) {
-                let Vec3 { x, y, z } = Vec3::<L>::from_arrays(&colour.colour);
-                L::interleave(x, y, z, pixels);
-            }
-            if rest.is_empty() {
-                continue;
-            }
-            if let Some(colour) = colours.next() {
-                let [x, y, z] = colour.colour;
-                for (lane, pixel) in rest.iter_mut().enumerate() {
-                    *pixel = [x[lane], y[lane], z[lane]];
-                }
-            }
-        }
+        trace::<L>(self.world, self.work, self.stack, self.watch.as_deref_mut())
     }
 }
 
 /// The direction of an eye ray, as a unit vector.
 #[inline(always)]
-pub(crate) fn unit<L: Lanes>(d: Vec3<L>) -> Vec3<L> {
+fn unit<L: Lanes>(d: Vec3<L>) -> Vec3<L> {
     d * (L::constant(1.0) / d.length())
 }

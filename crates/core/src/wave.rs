@@ -1,85 +1,83 @@
 //! The rays of one level of a tile, packed: those that go on leave no gaps.
 //!
-//! Eight rays that met one primitive together go on together, as a packet. Rays that go on
-//! alone wait until they are eight, whichever primitives they left. So only the last packet of
-//! a wave of mirrored rays has lanes without a ray, its last ones.
+//! Eight rays that met one primitive go on together, as a packet. Rays that go on alone wait until
+//! they are eight, whichever primitives they left. So only the last packet of a wave of mirrored
+//! rays has lanes without a ray, its last ones.
 //!
 //! A wave has at most as many rays as the one above it, and all its packets but the last are
-//! full: so it never holds more than [`PACKETS`]. Indices are taken modulo that, here and in
-//! `hits`, to tell it to the compiler, which then checks no bounds.
+//! full: so it never holds more than [`PACKETS`].
 
 use crate::lanes::{LANES, Lane, Lanes, Mask};
-use crate::packet::NONE;
-use crate::stack::Pending;
+use crate::packet::{NONE, Rays};
+use crate::plane::{PACKETS, Plane, Slot, Vectors};
+use crate::stack::{Owed, Stack};
 use crate::vec3::{Packed, Vec3};
 
-/// Packets of a tile, at any level: no ray has more than one child.
-pub(crate) const PACKETS: usize = 64;
-
-/// Where a ray stands in its level: lane `slot % LANES` of packet `slot / LANES`.
-pub(crate) type Slot = u16;
-
-/// Eight rays in memory. The first `live` lanes hold rays, the others nonsense.
+/// Packets one after another, all of whose rays left one primitive.
 #[derive(Clone, Copy)]
-#[repr(align(32))]
-pub(crate) struct RayPacket<S> {
-    pub(crate) origin: Packed<S>,
-    pub(crate) direction: Packed<S>,
-    /// Index of the primitive just left, which is not met again, or all ones.
-    pub(crate) left: [S; LANES],
-    /// The primitive that all lanes left, or [`NONE`].
-    pub(crate) all_left: u32,
-    pub(crate) live: u32,
-}
-
-impl<S: Lane> RayPacket<S> {
-    pub(crate) const EMPTY: Self = Self {
-        origin: [[S::ZERO; LANES]; 3],
-        direction: [[S::ZERO; LANES]; 3],
-        left: [S::ZERO; LANES],
-        all_left: NONE,
-        live: 0,
-    };
+pub(crate) struct Run {
+    /// The primitive, or [`NONE`] where not all of a packet left one.
+    pub(crate) left: u32,
+    /// The first packet after them.
+    pub(crate) end: u32,
 }
 
 /// Rays of a tile at one level.
 pub(crate) struct Wave<S> {
-    packets: Box<[RayPacket<S>; PACKETS]>,
+    origins: Vectors<S>,
+    directions: Vectors<S>,
+    /// The first lanes of a packet hold rays, so many of them; the others hold the first again.
+    live: [u8; PACKETS],
+    /// Of mirrored rays.
+    runs: [Run; PACKETS],
+    runs_len: usize,
+    /// Index of the primitive that each ray left, which is not met again, or all ones. Kept only
+    /// where the run does not say it.
+    left: Plane<S>,
     /// Cumulative weights; kept only where there is a cut by weight.
-    weights: Box<[[S; LANES]; PACKETS]>,
+    weights: Plane<S>,
     len: usize,
     waiting: Waiting<S>,
 }
 
-/// Rays that do not yet fill a packet.
+/// Rays that do not yet fill a packet, and what they owe.
 struct Waiting<S> {
-    rays: RayPacket<S>,
+    origin: Packed<S>,
+    direction: Packed<S>,
+    left: [S; LANES],
     weight: [S; LANES],
-    k: [S; LANES],
-    parents: [Slot; LANES],
+    local: Packed<S>,
+    owed: [Owed; LANES],
+    live: usize,
 }
 
 /// Mirrored rays that leave one primitive.
 pub(crate) struct Mirrored<L: Lanes> {
-    pub(crate) origin: Vec3<L>,
-    pub(crate) direction: Vec3<L>,
+    pub(crate) rays: Rays<L>,
     /// `None` without a cut by weight.
     pub(crate) weight: Option<L>,
-    pub(crate) k: L::Scalar,
     pub(crate) left: u32,
 }
 
 impl<S: Lane> Wave<S> {
     pub(crate) fn new() -> Self {
         Self {
-            packets: Box::new([RayPacket::EMPTY; PACKETS]),
-            weights: Box::new([[S::rounded(1.0); LANES]; PACKETS]),
+            origins: Vectors::zero(),
+            directions: Vectors::zero(),
+            live: [0; PACKETS],
+            runs: [Run { left: NONE, end: 0 }; PACKETS],
+            runs_len: 0,
+            left: Plane::of(S::ZERO),
+            weights: Plane::of(S::rounded(1.0)),
             len: 0,
             waiting: Waiting {
-                rays: RayPacket::EMPTY,
+                origin: [[S::ZERO; LANES]; 3],
+                direction: [[S::ZERO; LANES]; 3],
+                left: [S::ZERO; LANES],
                 weight: [S::ZERO; LANES],
-                k: [S::ZERO; LANES],
-                parents: [0; LANES],
+                local: [[S::ZERO; LANES]; 3],
+                owed: [Owed::NOTHING; LANES],
+                live: 0,
             },
         }
     }
@@ -90,66 +88,107 @@ impl<S: Lane> Wave<S> {
     }
 
     #[inline(always)]
-    pub(crate) fn packets(&self) -> &[RayPacket<S>] {
-        &self.packets[..self.len]
+    pub(crate) fn live(&self, packet: usize) -> usize {
+        self.live[packet % PACKETS].into()
     }
 
     #[inline(always)]
-    pub(crate) fn packet(&self, i: usize) -> &RayPacket<S> {
-        &self.packets[i % PACKETS]
+    pub(crate) fn runs(&self) -> &[Run] {
+        &self.runs[..self.runs_len]
     }
 
     #[inline(always)]
-    pub(crate) fn weight(&self, i: usize) -> &[S; LANES] {
-        &self.weights[i % PACKETS]
+    pub(crate) fn origins(&self) -> &Vectors<S> {
+        &self.origins
+    }
+
+    #[inline(always)]
+    pub(crate) fn directions(&self) -> &Vectors<S> {
+        &self.directions
+    }
+
+    #[inline(always)]
+    pub(crate) fn rays<L: Lanes<Scalar = S>>(&self, packet: usize) -> Rays<L> {
+        Rays { origin: self.origins.packet(packet), direction: self.directions.packet(packet) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn gather<L: Lanes<Scalar = S>>(&self, slots: &[Slot; LANES]) -> Rays<L> {
+        let (origin, direction) = (self.origins.gather(slots), self.directions.gather(slots));
+        Rays { origin, direction }
+    }
+
+    /// Origin and direction of a ray.
+    pub(crate) fn ray(&self, slot: usize) -> ([S; 3], [S; 3]) {
+        (self.origins.ray(slot), self.directions.ray(slot))
+    }
+
+    #[inline(always)]
+    pub(crate) fn left(&self) -> &Plane<S> {
+        &self.left
+    }
+
+    #[inline(always)]
+    pub(crate) fn weights(&self) -> &Plane<S> {
+        &self.weights
     }
 
     #[inline(always)]
     pub(crate) fn clear(&mut self) {
         self.len = 0;
+        self.runs_len = 0;
+    }
+
+    /// One packet more.
+    #[inline(always)]
+    fn add(&mut self, left: u32, live: usize) {
+        debug_assert!(self.len < PACKETS);
+        self.live[self.len % PACKETS] = live as u8;
+        self.len += 1;
+        if self.runs_len == 0 || self.runs[(self.runs_len - 1) % PACKETS].left != left {
+            self.runs[self.runs_len % PACKETS].left = left;
+            self.runs_len += 1;
+        }
+        self.runs[(self.runs_len - 1) % PACKETS].end = self.len as u32;
     }
 
     /// A further packet of eye rays, in a wave that holds no others: weights stay 1.
     #[inline(always)]
     pub(crate) fn push_eye<L: Lanes<Scalar = S>>(&mut self, direction: Vec3<L>, live: usize) {
         debug_assert!(self.len < PACKETS);
-        let packet = &mut self.packets[self.len % PACKETS];
-        packet.direction = direction.to_arrays();
-        packet.live = live as u32;
+        self.directions.put(self.len, direction);
+        self.live[self.len % PACKETS] = live as u8;
         self.len += 1;
     }
 
-    /// Eight rays that left one packet lane by lane.
+    /// Eight rays.
     #[inline(always)]
-    pub(crate) fn push_packet<L: Lanes<Scalar = S>>(
-        &mut self,
-        rays: &Mirrored<L>,
-        parent: usize,
-        pending: &mut [Pending<S>],
-    ) {
-        let pending = self.push(rays, pending);
-        pending.parents[0] = (parent * LANES) as Slot;
-        pending.side_by_side = true;
+    pub(crate) fn push<L: Lanes<Scalar = S>>(&mut self, mirrored: &Mirrored<L>) {
+        self.origins.put(self.len, mirrored.rays.origin);
+        self.directions.put(self.len, mirrored.rays.direction);
+        if mirrored.left == NONE {
+            self.left.put(self.len, L::index(NONE));
+        }
+        if let Some(weight) = mirrored.weight {
+            self.weights.put(self.len, weight);
+        }
+        self.add(mirrored.left, LANES);
     }
 
-    /// Those of eight rays that go on; `parents` are their slots.
+    /// Those of eight rays that go on, and what they owe.
     #[inline(always)]
     pub(crate) fn push_lanes<L: Lanes<Scalar = S>>(
         &mut self,
-        rays: &Mirrored<L>,
+        mirrored: &Mirrored<L>,
         goes_on: Mask<L>,
-        parents: &[Slot; LANES],
-        pending: &mut [Pending<S>],
+        local: &Packed<S>,
+        owed: &[Owed; LANES],
+        stack: &mut Stack<S>,
     ) {
-        if goes_on.all() {
-            let pending = self.push(rays, pending);
-            pending.parents = *parents;
-            pending.side_by_side = false;
-            return;
-        }
-        let (origin, direction) = (rays.origin.to_arrays(), rays.direction.to_arrays());
+        let Rays { origin, direction } = mirrored.rays;
+        let (origin, direction) = (origin.to_arrays(), direction.to_arrays());
         #[expect(clippy::manual_map, reason = "a closure may be left as a call in the kernel")]
-        let weight = match rays.weight {
+        let weight = match mirrored.weight {
             Some(weight) => Some(weight.to_array()),
             None => None,
         };
@@ -157,71 +196,49 @@ impl<S: Lane> Wave<S> {
         while lanes != 0 {
             let from = lanes.trailing_zeros() as usize % LANES;
             lanes &= lanes - 1;
-            let to = self.waiting.rays.live as usize % LANES;
+            let to = self.waiting.live % LANES;
             for axis in 0..3 {
-                self.waiting.rays.origin[axis][to] = origin[axis][from];
-                self.waiting.rays.direction[axis][to] = direction[axis][from];
+                self.waiting.origin[axis][to] = origin[axis][from];
+                self.waiting.direction[axis][to] = direction[axis][from];
+                self.waiting.local[axis][to] = local[axis][from];
             }
-            self.waiting.rays.left[to] = S::from_index(rays.left);
+            self.waiting.left[to] = S::from_index(mirrored.left);
             if let Some(weight) = &weight {
                 self.waiting.weight[to] = weight[from];
             }
-            self.waiting.k[to] = rays.k;
-            self.waiting.parents[to] = parents[from];
-            self.waiting.rays.live += 1;
-            if self.waiting.rays.live as usize == LANES {
-                self.push_waiting::<L>(pending);
+            self.waiting.owed[to] = owed[from];
+            self.waiting.live += 1;
+            if self.waiting.live == LANES {
+                self.push_waiting::<L>(stack);
             }
         }
     }
 
     /// Ends the level: rays wait no longer.
     #[inline(always)]
-    pub(crate) fn close<L: Lanes<Scalar = S>>(&mut self, pending: &mut [Pending<S>]) {
-        if self.waiting.rays.live > 0 {
-            self.push_waiting::<L>(pending);
+    pub(crate) fn close<L: Lanes<Scalar = S>>(&mut self, stack: &mut Stack<S>) {
+        if self.waiting.live > 0 {
+            self.push_waiting::<L>(stack);
         }
     }
 
-    /// Adds eight rays that left one primitive, and what is owed to them.
     #[inline(always)]
-    fn push<'a, L: Lanes<Scalar = S>>(
-        &mut self,
-        rays: &Mirrored<L>,
-        pending: &'a mut [Pending<S>],
-    ) -> &'a mut Pending<S> {
-        debug_assert!(self.len < PACKETS);
-        let packet = &mut self.packets[self.len % PACKETS];
-        packet.origin = rays.origin.to_arrays();
-        packet.direction = rays.direction.to_arrays();
-        packet.left = L::index(rays.left).to_array();
-        packet.all_left = rays.left;
-        packet.live = LANES as u32;
-        if let Some(weight) = rays.weight {
-            self.weights[self.len % PACKETS] = weight.to_array();
+    fn push_waiting<L: Lanes<Scalar = S>>(&mut self, stack: &mut Stack<S>) {
+        let Waiting { origin, direction, left, weight, local, owed, live } = &mut self.waiting;
+        for lane in *live..LANES {
+            for axis in 0..3 {
+                origin[axis][lane] = origin[axis][0];
+                direction[axis][lane] = direction[axis][0];
+                local[axis][lane] = local[axis][0];
+            }
+            (left[lane], weight[lane], owed[lane]) = (left[0], weight[0], owed[0]);
         }
-        let pending = &mut pending[self.len];
-        pending.k = L::splat(rays.k).to_array();
-        pending.live = LANES as u32;
-        self.len += 1;
-        pending
-    }
-
-    #[inline(always)]
-    fn push_waiting<L: Lanes<Scalar = S>>(&mut self, pending: &mut [Pending<S>]) {
-        let Waiting { rays, weight, k, parents } = &mut self.waiting;
-        debug_assert!(self.len < PACKETS);
-        let packet = &mut self.packets[self.len % PACKETS];
-        packet.origin = Vec3::<L>::from_arrays(&rays.origin).to_arrays();
-        packet.direction = Vec3::<L>::from_arrays(&rays.direction).to_arrays();
-        packet.left = L::from_array(rays.left).to_array();
-        packet.all_left = NONE;
-        packet.live = rays.live;
-        self.weights[self.len % PACKETS] = L::from_array(*weight).to_array();
-        let pending = &mut pending[self.len];
-        (pending.k, pending.parents, pending.side_by_side) = (*k, *parents, false);
-        pending.live = rays.live;
-        rays.live = 0;
-        self.len += 1;
+        self.origins.put(self.len, Vec3::<L>::from_arrays(origin));
+        self.directions.put(self.len, Vec3::<L>::from_arrays(direction));
+        self.left.put(self.len, L::from_array(*left));
+        self.weights.put(self.len, L::from_array(*weight));
+        stack.push(Vec3::<L>::from_arrays(local), owed);
+        let live = std::mem::take(live);
+        self.add(NONE, live);
     }
 }

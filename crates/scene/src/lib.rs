@@ -30,4 +30,5 @@ pub use film::{Film, Quantiser};
 pub use read::{Document, SceneFormat};
 pub use scalar::{Scalar, Wider};
 pub use scene::Scene;
+pub use validate::MOST_PRIMITIVES;
 pub use view::{Crop, Grid, View, ViewError};

@@ -12,6 +12,9 @@ use crate::{Draft, Material, SceneError};
 use allowed::{AMOUNT, Allowed, COMPONENT, COORDINATE, LIGHT, RADIUS, SIDE};
 use material::Brightest;
 
+/// Spheres and planes that a scene may have: the engine's stack counts their materials in 22 bits.
+pub const MOST_PRIMITIVES: usize = 4_000_000;
+
 /// All of a draft.
 pub(crate) fn validate(draft: &Draft) -> Result<(), SceneError> {
     validate_settings(draft)?;
@@ -55,8 +58,13 @@ pub(crate) fn validate_materials(
 
 /// Spheres and planes, in the light of a draft whose settings are valid.
 fn validate_bodies(draft: &Draft) -> Result<(), Fault> {
-    let brightest = Brightest::of(draft);
     let spheres = Trail::Root.key("spheres");
+    let bodies = draft.spheres.len() + draft.planes.len();
+    if bodies > MOST_PRIMITIVES {
+        let found = format!("{bodies} spheres and planes");
+        return Err(Fault::new(spheres, found, "at most 4000000 of them"));
+    }
+    let brightest = Brightest::of(draft);
     for (index, sphere) in draft.spheres.iter().enumerate() {
         let trail = spheres.index(index);
         triple(trail.key("center"), sphere.center, &COORDINATE)?;

@@ -1,6 +1,8 @@
 //! Every range, at its ends and just past them.
 
-use catoptric_scene::{Camera, Draft, Image, Light, Material, Plane, Render, Scene, Sphere};
+use catoptric_scene::{
+    Camera, Draft, Image, Light, MOST_PRIMITIVES, Material, Plane, Render, Scene, Sphere,
+};
 
 /// A number of a draft.
 type Number = fn(&mut Draft) -> &mut f64;
@@ -225,4 +227,16 @@ fn the_first_wrong_key_in_the_order_of_the_format_is_named() {
     assert_eq!(refused(draft.clone()).expect("wrong").0, "lights[0].intensity[0]");
     draft.image.height = 0;
     assert_eq!(refused(draft).expect("wrong").0, "image.height");
+}
+
+#[test]
+fn so_many_primitives_and_no_more() {
+    let mut draft = draft();
+    draft.spheres = vec![draft.spheres[0]; MOST_PRIMITIVES];
+    let (key, message) = refused(draft.clone()).expect("with the plane one too many");
+    assert_eq!(key, "spheres");
+    assert!(message.contains("4000001 spheres and planes"), "{message}");
+    assert!(message.contains("at most 4000000"), "{message}");
+    draft.planes.clear();
+    assert_eq!(refused(draft), None);
 }

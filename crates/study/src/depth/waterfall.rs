@@ -100,6 +100,7 @@ fn steps(plan: &Plan, isa: Isa, threads: usize) -> Vec<(String, (Way, usize))> {
     for (i, omission) in Omission::ALL.iter().enumerate() {
         if plan.omits(*omission) {
             let left_out = match omission {
+                Omission::Nested => "spheres inside others",
                 Omission::Tiles => "primitives out of a tile's sight",
                 Omission::Occluders => "primitives out of a lamp's way",
                 Omission::Directions => "directions that nobody asks for",
@@ -115,4 +116,4 @@ fn steps(plan: &Plan, isa: Isa, threads: usize) -> Vec<(String, (Way, usize))> {
     steps
 }
 
-static ALL: [Omission; 4] = Omission::ALL;
+static ALL: [Omission; 5] = Omission::ALL;

@@ -1,0 +1,127 @@
+//! Numbers of a wave's rays, side by side.
+//!
+//! A ray of a wave has a slot: lane `slot % LANES` of packet `slot / LANES`. Each number of all
+//! rays is a plane of its own, so that it is found by the slot alone, and eight of a packet are read
+//! at once. What need not be written is not: a plane that a wave does not use takes no cache.
+
+use std::ops::Range;
+
+use crate::lanes::{LANES, Lane, Lanes};
+use crate::vec3::Vec3;
+
+/// Packets of a tile, at any level: no ray has more than one child.
+pub(crate) const PACKETS: usize = 64;
+
+/// Rays of a tile.
+pub(crate) const RAYS: usize = PACKETS * LANES;
+
+/// Where a ray stands in its wave.
+pub(crate) type Slot = u16;
+
+/// One number of each ray. Indices are taken modulo [`PACKETS`] and [`RAYS`], which they are below
+/// anyway: it tells the compiler, which then checks no bounds. There are two packets more, or the
+/// same packet of two planes would lie a multiple of 4096 bytes apart and a processor take one for
+/// the other.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+pub(crate) struct Plane<S>([[S; LANES]; PACKETS + 2]);
+
+/// One vector of each ray.
+pub(crate) struct Vectors<S>([Plane<S>; 3]);
+
+impl<S: Lane> Plane<S> {
+    pub(crate) fn of(number: S) -> Self {
+        Self([[number; LANES]; PACKETS + 2])
+    }
+
+    /// Those of a packet.
+    #[inline(always)]
+    pub(crate) fn packet<L: Lanes<Scalar = S>>(&self, packet: usize) -> L {
+        L::from_array(self.0[packet % PACKETS])
+    }
+
+    #[inline(always)]
+    pub(crate) fn put<L: Lanes<Scalar = S>>(&mut self, packet: usize, numbers: L) {
+        self.0[packet % PACKETS] = numbers.to_array();
+    }
+
+    #[inline(always)]
+    pub(crate) fn packets(&self, packets: Range<usize>) -> &[[S; LANES]] {
+        &self.0[packets]
+    }
+
+    #[inline(always)]
+    pub(crate) fn packets_mut(&mut self, packets: Range<usize>) -> &mut [[S; LANES]] {
+        &mut self.0[packets]
+    }
+
+    /// That of a ray.
+    #[inline(always)]
+    pub(crate) fn ray(&self, slot: usize) -> S {
+        self.0.as_flattened()[slot % RAYS]
+    }
+
+    /// Those of eight rays.
+    #[inline(always)]
+    pub(crate) fn gather<L: Lanes<Scalar = S>>(&self, slots: &[Slot; LANES]) -> L {
+        L::gather(|lane| self.ray(slots[lane] as usize))
+    }
+
+    #[inline(always)]
+    fn scatter<L: Lanes<Scalar = S>>(&mut self, slots: impl Fn(usize) -> usize, numbers: L) {
+        let numbers = numbers.to_array();
+        for (lane, number) in numbers.into_iter().enumerate().rev() {
+            self.0.as_flattened_mut()[slots(lane) % RAYS] = number;
+        }
+    }
+}
+
+impl<S: Lane> Vectors<S> {
+    pub(crate) fn zero() -> Self {
+        Self([Plane::of(S::ZERO); 3])
+    }
+
+    #[inline(always)]
+    pub(crate) fn packet<L: Lanes<Scalar = S>>(&self, packet: usize) -> Vec3<L> {
+        let [x, y, z] = &self.0;
+        Vec3 { x: x.packet(packet), y: y.packet(packet), z: z.packet(packet) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn put<L: Lanes<Scalar = S>>(&mut self, packet: usize, v: Vec3<L>) {
+        let [x, y, z] = &mut self.0;
+        x.put(packet, v.x);
+        y.put(packet, v.y);
+        z.put(packet, v.z);
+    }
+
+    #[inline(always)]
+    pub(crate) fn packets(&self, packets: Range<usize>) -> [&[[S; LANES]]; 3] {
+        let [x, y, z] = &self.0;
+        [x.packets(packets.clone()), y.packets(packets.clone()), z.packets(packets)]
+    }
+
+    pub(crate) fn ray(&self, slot: usize) -> [S; 3] {
+        let [x, y, z] = &self.0;
+        [x.ray(slot), y.ray(slot), z.ray(slot)]
+    }
+
+    #[inline(always)]
+    pub(crate) fn gather<L: Lanes<Scalar = S>>(&self, slots: &[Slot; LANES]) -> Vec3<L> {
+        let [x, y, z] = &self.0;
+        Vec3 { x: x.gather(slots), y: y.gather(slots), z: z.gather(slots) }
+    }
+
+    /// Gives eight rays theirs; where two lanes are the same ray's, the first one's.
+    #[inline(always)]
+    pub(crate) fn scatter<L: Lanes<Scalar = S>>(
+        &mut self,
+        slots: impl Fn(usize) -> usize + Copy,
+        v: Vec3<L>,
+    ) {
+        let [x, y, z] = &mut self.0;
+        x.scatter(slots, v.x);
+        y.scatter(slots, v.y);
+        z.scatter(slots, v.z);
+    }
+}
