@@ -59,7 +59,8 @@ fn the_avx2_kernels_are_whole() {
     }
 }
 
-/// A kernel is of 256-bit operations, none of them fused, and calls nothing out of line.
+/// A kernel is of 256-bit operations, none of them fused and none a store under a mask, on an
+/// aligned stack, and calls nothing out of line.
 fn is_whole(program: &Path, kernel: &[&str]) {
     let wide = kernel.iter().filter(|line| line.contains("%ymm")).count();
     assert!(wide > 10, "{ENTRY} has {wide} lines of 256-bit code; was it compiled without AVX2?");
@@ -67,6 +68,11 @@ fn is_whole(program: &Path, kernel: &[&str]) {
     let fused: Vec<_> =
         kernel.iter().filter(|l| l.contains("\tvfm") || l.contains("\tvfn")).collect();
     assert!(fused.is_empty(), "fused operations: {fused:#?}");
+
+    let masked: Vec<_> = kernel.iter().filter(|line| line.contains("\tvmaskmov")).collect();
+    assert!(masked.is_empty(), "stores under a mask: {masked:#?}");
+    let aligned = kernel.iter().any(|line| line.contains("\tand ") && line.ends_with("c0,%rsp"));
+    assert!(aligned, "the stack of {ENTRY} is not aligned: lanes on it cross cache lines");
 
     let callees = callees(program, kernel);
     assert!(!callees.is_empty(), "the kernel calls at least a panic");

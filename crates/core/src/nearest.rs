@@ -99,16 +99,20 @@ impl<S: Lane> Try<'_, S> {
         }
         let mut start = self.packets.start;
         for run in self.wave.runs() {
-            let end = self.packets.end.min(run.end as usize);
-            let packets = start..end;
-            if start >= end || F::LEFT_BEHIND && run.left == self.index {
-            } else if run.left == NONE {
+            let packets = start..self.packets.end.min(run.end as usize);
+            if packets.is_empty() {
+                continue;
+            }
+            start = packets.end;
+            if F::LEFT_BEHIND && run.left == self.index {
+                continue;
+            }
+            if run.left == NONE {
                 self.on::<L, F, false, true>(form, packets, Mask::none());
             } else {
                 let own = if run.left == self.index { Mask::every() } else { Mask::none() };
                 self.on::<L, F, false, false>(form, packets, own);
             }
-            start = if end > start { end } else { start };
         }
     }
 
