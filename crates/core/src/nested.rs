@@ -21,10 +21,15 @@ use crate::sight::in_f64;
 /// The least gap, in units of S.
 const MARGIN: f64 = 2e-5;
 
+/// The indices of all primitives, in ascending order.
+pub(crate) fn all<S: Scalar>(scene: &Compiled<S>) -> Vec<u32> {
+    (0..).zip(&scene.primitives).map(|(index, _)| index).collect()
+}
+
 /// The indices of all primitives but those, in ascending order.
 pub(crate) fn reachable<S: Scalar>(scene: &Compiled<S>) -> Vec<u32> {
-    let all = (0..).zip(&scene.primitives);
-    let Some(extent) = extent(scene) else { return all.map(|(index, _)| index).collect() };
+    let mut reachable = all(scene);
+    let Some(extent) = extent(scene) else { return reachable };
     let gap = MARGIN * extent;
     let ball = |shape: &Shape<S>| match shape {
         Shape::Ball(ball) if !ball.is_around() => {
@@ -40,7 +45,8 @@ pub(crate) fn reachable<S: Scalar>(scene: &Compiled<S>) -> Vec<u32> {
             larger.into_iter().any(|outer| outer.0.distance(center) + radius + gap < outer.1)
         })
     };
-    all.filter(|(_, primitive)| !is_inside(&primitive.shape)).map(|(index, _)| index).collect()
+    reachable.retain(|&index| !is_inside(&scene.primitives[index as usize].shape));
+    reachable
 }
 
 /// As far as anything stands from the eye; `None` if there is no end.

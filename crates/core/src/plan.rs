@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use crate::PacketScalar;
 use crate::lanes::Lane;
-use crate::nested::reachable;
+use crate::nested;
 use crate::occluders::Occluders;
 use crate::sight::{Sights, in_f64};
 use crate::tile;
@@ -173,7 +173,7 @@ impl Plan {
 impl Features {
     fn of<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> Self {
         let mut these = Self {
-            nested: scene.primitives.len() - reachable(scene).len(),
+            nested: scene.primitives.len() - nested::reachable(scene).len(),
             cut: scene.min_weight > S::ZERO,
             samples: grid.samples,
             ..Self::default()
@@ -212,10 +212,7 @@ impl Features {
 
 /// The primitives that rays try, by index in ascending order.
 pub(crate) fn tried<S: Scalar>(scene: &Compiled<S>, plan: &Plan) -> Vec<u32> {
-    if plan.omits(Omission::Nested) {
-        return reachable(scene);
-    }
-    (0..).zip(&scene.primitives).map(|(index, _)| index).collect()
+    if plan.omits(Omission::Nested) { nested::reachable(scene) } else { nested::all(scene) }
 }
 
 /// Whether no lamp's light comes back from a material.
@@ -275,7 +272,7 @@ pub struct TileCandidates {
 /// What the eye rays of a view's tiles have to try.
 #[must_use]
 pub fn tile_candidates<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> TileCandidates {
-    let sights = Sights::new(scene, reachable(scene));
+    let sights = Sights::new(scene, nested::reachable(scene));
     let (mut sum, mut list) = (TileCandidates::default(), Vec::new());
     let samples = grid.samples as usize;
     for rows in grid.rows.chunks(tile::HEIGHT * samples) {
@@ -315,7 +312,8 @@ pub(crate) fn occluders_of<S: Lane>(scene: &Compiled<S>, lamp: usize, receiver: 
         }
         _ => (DVec3::ZERO, f64::INFINITY),
     };
-    let occluders = Occluders::new(scene, &reachable(scene));
+    // Balls inside others too: to find them takes all pairs of balls, and here one pair is asked for.
+    let occluders = Occluders::new(scene, &nested::all(scene));
     let mut list = vec![0; occluders.len() + 1];
     let left = u32::try_from(receiver).expect("fewer than 2^32 primitives");
     let position = in_f64::<S>(lamp.position);

@@ -5,6 +5,7 @@
 use catoptric_scene::{Compiled, Phong, Scalar};
 
 use crate::lanes::{self, Lane};
+use crate::nested;
 use crate::occluders::Occluders;
 use crate::packet::{Candidates, NONE, Omit, TooDeep, Work, World, wave_of};
 use crate::render::{Settings, StackFull};
@@ -63,7 +64,7 @@ pub fn watch(
     watch: &mut dyn Watch,
 ) -> Result<[f32; 3], StackFull> {
     let budget = Budget::new(settings.stack_limit);
-    let all: Vec<u32> = (0..).zip(&scene.primitives).map(|(index, _)| index).collect();
+    let all = nested::all(scene);
     let occluders = Occluders::new(scene, &all);
     let world = World {
         scene,
