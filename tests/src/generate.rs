@@ -233,8 +233,12 @@ pub fn nested(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = 
             let length = distance(to_eye, [0.0; 3]);
             let within = radius * 10f64.powf(share);
             let off = radius - within - gap * (1.0 + far) * radius;
-            draft.camera.fov = 2.2 * (1.0 / far).min(0.7).asin().to_degrees();
             let at = along(center, to_eye.map(|x| x / length), off);
+            // Where they are closest, so near that what stands out covers some pixels.
+            let closest = along(center, to_eye.map(|x| x / length), radius);
+            let cap = (2.0 * within * gap.abs() * (1.0 + far) * radius).sqrt();
+            draft.camera.look_at = closest;
+            draft.camera.fov = (4.0 * cap / distance(closest, [0.0; 3])).to_degrees().min(120.0);
             draft.spheres.push(Sphere { center: at, radius: within, material: inner });
             draft.spheres.push(Sphere { center, radius, material: outer });
             let shows = along(center, mirror, 3.0 * radius);
