@@ -90,9 +90,50 @@ fn levels_are_those_of_the_film() {
                 quantiser.levels(film.pixels(), &mut expected);
                 for backend in backends() {
                     let found = packet_levels(&compiled, &grid, &quantiser, backend);
-                    assert!(found == expected, "{name}, {samples} samples, {backend:?}");
+                    assert!(found == expected, "{name}, {samples} samples, differs, {backend:?}");
                 }
             }
+        }
+    }
+}
+
+/// On each side of where a level begins, in packets of eight and in a part of one.
+#[test]
+fn levels_begin_where_they_do_one_by_one() {
+    let mut draft = scenes::named("workshop");
+    draft.render.ambient = [1.0; 3];
+    draft.camera.fov = 1.0;
+    draft.lights.clear();
+    draft.planes.clear();
+    draft.spheres.truncate(1);
+    // Fills the picture.
+    draft.spheres[0].center = draft.camera.look_at;
+    draft.spheres[0].radius = 1.0;
+    let first = |level: f32| {
+        let reached = |x: &f32| Quantiser::scaled(*x) >= level;
+        let mut x = (level - 0.5) / 255.0;
+        while reached(&x) {
+            x = x.next_down();
+        }
+        while !reached(&x) {
+            x = x.next_up();
+        }
+        x
+    };
+    let [linear, srgb] = [Transfer::Linear, Transfer::Srgb].map(Quantiser::new);
+    for level in 1..=255_u8 {
+        let begins = first(f32::from(level));
+        let colour = [begins.next_down(), begins, begins.next_up()];
+        draft.spheres[0].material = Material::matt(colour.map(f64::from));
+        let scene = scenes::sized(&draft, 9, 1, 0);
+        let (compiled, grid) = (Compiled::new(&scene), Grid::new(&View::whole(&scene)));
+        for backend in backends() {
+            let expected = vec![[level - 1, level, level]; 9];
+            let found = packet_levels(&compiled, &grid, &linear, backend);
+            assert_eq!(found, expected, "level {level} differs, {backend:?}");
+            let expected = vec![colour.map(|x| srgb.level(x)); 9];
+            let found = packet_levels(&compiled, &grid, &srgb, backend);
+            assert_eq!(found, expected, "level {level} differs, {backend:?}");
         }
     }
 }

@@ -68,6 +68,12 @@ const FAULTS: &[Fault] = &[
         instead: "!missed & ((1 << (live - 1)) - 1)",
     },
     Fault {
+        name: "levels rounded in place of truncated",
+        file: "lanes.rs",
+        sound: "_mm256_cvttps_epi32(lanes.0)",
+        instead: "_mm256_cvtps_epi32(lanes.0)",
+    },
+    Fault {
         name: "a product with the reciprocal in place of a quotient",
         file: "vec3.rs",
         sound: "Self { x: self.x / divisor, y: self.y / divisor, z: self.z / divisor }",

@@ -76,13 +76,13 @@ pub(crate) trait Lanes:
         Self::splat(Scalar::rounded(x))
     }
 
-    /// The lesser of each two; either if one is NaN. For bounds, never for the picture.
+    /// `self` where it is less, `other` elsewhere, so too where one of them is NaN.
     #[inline(always)]
     fn least(self, other: Self) -> Self {
         self.lt(other).select(self, other)
     }
 
-    /// The greater of each two; either if one is NaN. For bounds, never for the picture.
+    /// `self` where it is greater, `other` elsewhere, so too where one of them is NaN.
     #[inline(always)]
     fn most(self, other: Self) -> Self {
         self.gt(other).select(self, other)
@@ -94,6 +94,22 @@ pub(crate) trait Lanes:
         let (x, y, z) = (x.to_array(), y.to_array(), z.to_array());
         for i in 0..LANES {
             to[i] = [x[i], y[i], z[i]];
+        }
+    }
+
+    /// The whole parts of lane i of the three, which are 0 to below 256, as element i.
+    #[inline(always)]
+    fn bytes(x: Self, y: Self, z: Self, to: &mut [[u8; 3]; LANES]) {
+        let shift = Self::splat(Self::Scalar::ROUNDING_SHIFT);
+        for (channel, x) in [x, y, z].into_iter().enumerate() {
+            // Rounded to a whole number, which stands in the lowest bits; one less where that
+            // went up.
+            let rounded = x + shift;
+            let up = (rounded - shift).gt(x);
+            let whole = (rounded - up.keep(Self::constant(1.0))).to_array();
+            for (to, whole) in to.iter_mut().zip(whole) {
+                to[channel] = whole.to_index().to_le_bytes()[0];
+            }
         }
     }
 
@@ -479,6 +495,15 @@ mod avx2 {
         fn most(self, other: Self) -> Self {
             Self(op!(_mm256_max_ps(self.0, other.0)))
         }
+        // Of two zeros, and where one is NaN, this instruction gives the second.
+        #[inline(always)]
+        fn positive(self) -> Self {
+            self.most(Self::constant(0.0))
+        }
+        #[inline(always)]
+        fn not_behind(self) -> Self {
+            Self::constant(0.0).most(self)
+        }
         #[inline(always)]
         fn interleave(x: Self, y: Self, z: Self, to: &mut [[f32; 3]; LANES]) {
             let to = to.as_flattened_mut();
@@ -498,7 +523,28 @@ mod avx2 {
                 _mm256_storeu_ps(end.as_mut_ptr(), _mm256_permute2f128_ps::<0x31>(b, c));
             });
         }
+        #[inline(always)]
+        fn bytes(x: Self, y: Self, z: Self, to: &mut [[u8; 3]; LANES]) {
+            let (to, rest) = to.as_flattened_mut().split_at_mut(16);
+            op!({
+                let [x, y, z] = [x, y, z].map(|lanes| _mm256_cvttps_epi32(lanes.0));
+                let yz = _mm256_or_si256(_mm256_slli_epi32::<8>(y), _mm256_slli_epi32::<16>(z));
+                let order = _mm256_loadu_si256(THREE_OF_FOUR.as_ptr().cast());
+                let packed = _mm256_shuffle_epi8(_mm256_or_si256(x, yz), order);
+                let packed =
+                    _mm256_permutevar8x32_epi32(packed, _mm256_setr_epi32(0, 1, 2, 4, 5, 6, 3, 7));
+                _mm_storeu_si128(to.as_mut_ptr().cast(), _mm256_castsi256_si128(packed));
+                let end = _mm256_extracti128_si256::<1>(packed);
+                _mm_storel_epi64(rest.as_mut_ptr().cast(), end);
+            });
+        }
     }
+
+    /// In each half: the lowest three bytes of its four numbers, packed.
+    const THREE_OF_FOUR: [i8; 32] = [
+        0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, -1, -1, -1, -1, //
+        0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, -1, -1, -1, -1,
+    ];
 
     /// Lanes 0 to 3, and 4 to 7.
     type Halves = [__m256d; 2];

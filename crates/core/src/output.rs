@@ -1,7 +1,7 @@
 //! What becomes of a tile's colours: pixels of the film, or 8-bit levels.
 //!
-//! Colours go from eight lanes to pixels a packet at a time, so that for an 8-bit picture not even
-//! a tile of linear light is made.
+//! Colours go from eight lanes to eight pixels, so that for an 8-bit picture not even a tile of
+//! linear light is made.
 
 use catoptric_scene::Quantiser;
 
@@ -13,8 +13,10 @@ use crate::vec3::Vec3;
 pub(crate) trait Output<S>: Sync {
     type Pixel: Copy + Send;
 
-    /// Must be `#[inline(always)]`. As many pixels as colours, at most [`LANES`].
-    fn put(&self, colours: &[[S; 3]], pixels: &mut [Self::Pixel]);
+    fn pixel(&self, colour: [S; 3]) -> Self::Pixel;
+
+    /// Those of eight colours. Must be `#[inline(always)]`.
+    fn pixels<L: Lanes<Scalar = S>>(&self, colours: Vec3<L>, to: &mut [Self::Pixel; LANES]);
 }
 
 /// Linear light, as it is.
@@ -23,18 +25,38 @@ pub(crate) struct Linear;
 impl<S: Lane> Output<S> for Linear {
     type Pixel = [S; 3];
 
+    fn pixel(&self, colour: [S; 3]) -> [S; 3] {
+        colour
+    }
+
     #[inline(always)]
-    fn put(&self, colours: &[[S; 3]], pixels: &mut [[S; 3]]) {
-        pixels.copy_from_slice(colours);
+    fn pixels<L: Lanes<Scalar = S>>(&self, colours: Vec3<L>, to: &mut [[S; 3]; LANES]) {
+        L::interleave(colours.x, colours.y, colours.z, to);
     }
 }
 
 impl Output<f32> for Quantiser {
     type Pixel = [u8; 3];
 
+    fn pixel(&self, colour: [f32; 3]) -> [u8; 3] {
+        colour.map(|x| self.level(x))
+    }
+
     #[inline(always)]
-    fn put(&self, colours: &[[f32; 3]], pixels: &mut [[u8; 3]]) {
-        self.levels(colours, pixels);
+    fn pixels<L: Lanes<Scalar = f32>>(&self, colours: Vec3<L>, to: &mut [[u8; 3]; LANES]) {
+        let mut colours = colours.to_arrays();
+        if self.is_linear() {
+            for x in colours.as_flattened_mut() {
+                *x = Self::scaled(*x);
+            }
+            let [x, y, z] = colours.map(L::from_array);
+            L::bytes(x, y, z, to);
+        } else {
+            let [x, y, z] = colours;
+            for (lane, to) in to.iter_mut().enumerate() {
+                *to = [self.level(x[lane]), self.level(y[lane]), self.level(z[lane])];
+            }
+        }
     }
 }
 
@@ -59,18 +81,15 @@ impl<S: Lane, O: Output<S>> Kernel for Put<'_, S, O> {
     fn run<L: Lanes<Scalar = S>>(self) {
         let mut packets = 0..;
         let mut next = || packets.next().unwrap_or_default();
-        let mut linear = [[S::ZERO; 3]; LANES];
         for row in self.pixels.chunks_exact_mut(self.width) {
             let (whole, rest) = row[self.left..self.right].as_chunks_mut::<LANES>();
             for pixels in whole {
-                let Vec3 { x, y, z } = self.colours.packet::<L>(next());
-                L::interleave(x, y, z, &mut linear);
-                self.output.put(&linear, pixels);
+                self.output.pixels(self.colours.packet::<L>(next()), pixels);
             }
-            if !rest.is_empty() {
-                let Vec3 { x, y, z } = self.colours.packet::<L>(next());
-                L::interleave(x, y, z, &mut linear);
-                self.output.put(&linear[..rest.len()], rest);
+            if let Some(&first) = rest.first() {
+                let mut pixels = [first; LANES];
+                self.output.pixels(self.colours.packet::<L>(next()), &mut pixels);
+                rest.copy_from_slice(&pixels[..rest.len()]);
             }
         }
     }

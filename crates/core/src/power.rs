@@ -11,8 +11,7 @@ use crate::lanes::{LANES, Lanes};
 #[inline(always)]
 pub(crate) fn power<L: Lanes>(x: L, p: Power<L::Scalar>) -> L {
     let one = L::constant(1.0);
-    let x = x.positive();
-    let x = x.lt(one).select(x, one);
+    let x = x.positive().least(one);
     match p {
         Power::Whole { exponent, cut } => {
             let low = x.le(L::splat(cut));

@@ -236,9 +236,7 @@ impl<S: Lane> Band<'_, S> {
             let right = width.min(left + tile::WIDTH);
             if let Some(colour) = self.trace(left, right)? {
                 for row in pixels.chunks_exact_mut(width) {
-                    let (first, rest) = row[left..right].split_at_mut(1);
-                    output.put(&[colour], first);
-                    rest.fill(first[0]);
+                    row[left..right].fill(output.pixel(colour));
                 }
             } else {
                 let colours = &*self.stack.eye_colours();

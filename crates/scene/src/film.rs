@@ -72,8 +72,24 @@ impl Quantiser {
         }
     }
 
+    /// Whether levels are the whole parts of what [`Quantiser::scaled`] gives.
+    #[must_use]
+    #[inline(always)]
+    pub fn is_linear(&self) -> bool {
+        self.srgb.is_none()
+    }
+
+    /// 255 x + 1/2 of a linear value clamped to [0, 1]: in the linear transfer its level is the
+    /// whole part, for who has a faster way to many of them than one by one.
+    #[must_use]
+    #[inline(always)]
+    pub fn scaled(linear: f32) -> f32 {
+        clamped(linear) * 255.0 + 0.5
+    }
+
     /// The level of one linear value.
     #[must_use]
+    #[inline(always)]
     pub fn level(&self, linear: f32) -> u8 {
         match &self.srgb {
             None => linear_level(linear),
@@ -122,7 +138,7 @@ fn clamped(x: f32) -> f32 {
 #[expect(clippy::cast_possible_truncation, reason = "the lowest 8 bits are the level")]
 fn linear_level(linear: f32) -> u8 {
     const WHOLE: f32 = 8_388_608.0; // 2^23
-    let x = clamped(linear) * 255.0 + 0.5;
+    let x = Quantiser::scaled(linear);
     let rounded = x + WHOLE;
     let truncated = if rounded - WHOLE > x { rounded - 1.0 } else { rounded };
     truncated.to_bits() as u8
