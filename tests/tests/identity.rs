@@ -1,7 +1,8 @@
 //! The recursion and the engine give the same bits, in f32 and in f64.
 
 use catoptric_scene::{
-    Compiled, Counts, Crop, Film, Grid, Material, Numerics, Quantiser, Scene, Transfer, View,
+    Compiled, Counts, Crop, Film, Grid, Material, Numerics, Quantiser, Scene, Sphere, Transfer,
+    View,
 };
 use catoptric_tests::identity::{
     Real, assert_identical, backends, check, packet_levels, recursive,
@@ -136,6 +137,31 @@ fn levels_begin_where_they_do_one_by_one() {
             assert_eq!(found, expected, "level {level} differs, {backend:?}");
         }
     }
+}
+
+/// From so far that some points of a ball are no number: they do not hide the others from what can
+/// stand between them and a lamp.
+#[test]
+fn points_that_are_no_number() {
+    let mut draft = scenes::named("workshop");
+    draft.camera.position = [0.0; 3];
+    draft.camera.look_at = [3316140.1446752865, -4710683.201650074, 3952815.179845415];
+    draft.camera.up = [0.46236251992256994, -0.35596379631673325, -0.8121026264473169];
+    draft.camera.fov = 1.6401705793649454e-5;
+    draft.planes.clear();
+    draft.lights.truncate(1);
+    draft.lights[0].position = [3316146.4443958555, -4710689.48676905, 3952810.617959817];
+    let ball = |center, radius, blue| Sphere {
+        center,
+        radius,
+        material: Material { reflect: Some(0.9), ..Material::matt([0.0, 0.0, blue]) },
+    };
+    draft.spheres = vec![
+        ball([3316140.028683408, -4710683.261857549, 3952815.179845415], 0.4346565691602133, 0.7),
+        ball([3316140.1446752865, -4710683.201650074, 3952816.079845415], 0.05, 0.0),
+        ball([3316140.1446752865, -4710683.301830922, 3952814.7990874797], 0.3031416704052487, 0.0),
+    ];
+    assert_identical("points that are no number", &scenes::sized(&draft, 7, 20, 4));
 }
 
 /// The same surface again changes nothing, whatever it is made of: the first is seen, from

@@ -58,14 +58,14 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a tie broken the other way",
         file: "nearest.rs",
-        sound: "found.met & found.t.lt(best)",
-        instead: "found.met & found.t.le(best)",
+        sound: "met & t.lt(best)",
+        instead: "met & t.le(best)",
     },
     Fault {
         name: "a lost tail lane",
-        file: "hits.rs",
-        sound: "!missed & ((1 << live) - 1)",
-        instead: "!missed & ((1 << (live - 1)) - 1)",
+        file: "nearest.rs",
+        sound: "Mask::first(wave.live(packet))",
+        instead: "Mask::first(wave.live(packet) - 1)",
     },
     Fault {
         name: "levels rounded in place of truncated",
@@ -172,8 +172,26 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a single ray with another's distance",
         file: "surfaces.rs",
-        sound: "met.nearest.distance.gather(&slots)",
-        instead: "met.nearest.distance.gather(&[slots[0]; LANES])",
+        sound: "met.nearest.distance.gather(slots)",
+        instead: "met.nearest.distance.gather(|_| slots(0))",
+    },
+    Fault {
+        name: "a point that is no number takes the others' bounds away",
+        file: "vec3.rs",
+        sound: "self.x.least(other.x)",
+        instead: "other.x.least(self.x)",
+    },
+    Fault {
+        name: "rays of two materials owed to one",
+        file: "stack.rs",
+        sound: "Self(owed.0 & !Self::FLAG).by(material)",
+        instead: "Self(if packet { owed.0 & !Self::FLAG } else { owed.0 }).by(material)",
+    },
+    Fault {
+        name: "a primitive that some packet met is forgotten there",
+        file: "nearest.rs",
+        sound: "found << first",
+        instead: "found",
     },
     Fault {
         name: "a lane without a ray whose colour its first lane gets",
@@ -185,8 +203,8 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "rays that met nothing keep an earlier ray's colour",
         file: "packet.rs",
-        sound: "misses > idle",
-        instead: "misses > idle + LANES",
+        sound: "count.hits < count.rays",
+        instead: "count.hits + (LANES as u64) < count.rays",
     },
     Fault {
         name: "packets that left two primitives taken for one's",

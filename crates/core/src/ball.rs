@@ -71,7 +71,8 @@ fn foot<L: Lanes>(ball: &Ball<L::Scalar>, rays: &Rays<L>) -> (L, L) {
     (b, L::splat(ball.radius_squared) - x.dot(x))
 }
 
-/// The lanes for which it stands between `point` and a lamp at `distance` in direction `l`.
+/// The lanes for which it, not around the eye, stands between `point` and a lamp at `distance` in
+/// direction `l`.
 #[inline(always)]
 pub(crate) fn occludes<L: Lanes>(
     ball: &Ball<L::Scalar>,
@@ -79,9 +80,6 @@ pub(crate) fn occludes<L: Lanes>(
     l: Vec3<L>,
     distance: L,
 ) -> Mask<L> {
-    if ball.is_around() {
-        return Mask::none();
-    }
     let f = Vec3::splat(ball.center) - point;
     let b = f.dot(l);
     let x = l * b - f;

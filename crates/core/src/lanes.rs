@@ -137,6 +137,9 @@ pub(crate) trait Lanes:
 pub(crate) struct Mask<L>(L);
 
 impl<L: Lanes> Mask<L> {
+    /// [`Mask::bits`] of all lanes.
+    pub(crate) const ALL: u32 = (1 << LANES) - 1;
+
     #[inline(always)]
     pub(crate) fn none() -> Self {
         Self(L::constant(0.0))
@@ -149,12 +152,12 @@ impl<L: Lanes> Mask<L> {
 
     /// True in the first `n` lanes.
     #[inline(always)]
-    pub(crate) fn first(n: usize) -> Self {
+    pub(crate) fn first(n: u32) -> Self {
         let mut lane = [L::Scalar::ZERO; LANES];
         for (i, lane) in lane.iter_mut().enumerate() {
             *lane = Scalar::rounded(i as f64);
         }
-        L::from_array(lane).lt(L::constant(n as f64))
+        L::from_array(lane).lt(L::constant(n.into()))
     }
 
     /// Lane i as bit i.
@@ -170,7 +173,7 @@ impl<L: Lanes> Mask<L> {
 
     #[inline(always)]
     pub(crate) fn all(self) -> bool {
-        self.bits() == (1 << LANES) - 1
+        self.bits() == Self::ALL
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! The packet engine: eight rays at a time, no recursion, the recursion's bits; in f32, or in
 //! f64.
 //!
-//! Start with `packet`, the loop; then what it calls, in that order: `nearest`, `hits`, `shade`
+//! Start with `packet`, the loop; then what it calls, in that order: `nearest`, `shade`
 //! with `surfaces` and `occluders`, `wave`, `stack`; then the shapes, which stand here under the
 //! same names as in the reference. `plan` says what is left out, `plane` how a wave's numbers lie in
 //! memory, `output` what becomes of the colours. `lanes` is the only file that knows what eight
@@ -9,7 +9,6 @@
 
 mod ball;
 mod flat;
-mod hits;
 mod isa;
 mod lanes;
 mod nearest;
@@ -23,6 +22,7 @@ mod power;
 mod render;
 mod shade;
 mod sight;
+mod singles;
 mod stack;
 mod surfaces;
 mod textbook;

@@ -10,7 +10,7 @@ use catoptric_scene::{Compiled, Numerics, Shape};
 
 use crate::lanes::{Lane, Lanes, Mask};
 use crate::packet::{Distance, NONE, Rays};
-use crate::plane::Plane;
+use crate::plane::{PACKETS, Plane};
 use crate::vec3::Vec3;
 use crate::wave::Wave;
 
@@ -19,7 +19,20 @@ pub(crate) struct Nearest<S> {
     /// Index of the primitive, or [`NONE`].
     pub(crate) index: Plane<S>,
     pub(crate) distance: Plane<S>,
+    /// One more than there are primitives: one is written before it is known whether it counts.
+    found: Vec<Found>,
+    found_len: usize,
 }
+
+/// A primitive that some rays may meet first.
+#[derive(Clone, Copy)]
+pub(crate) struct Found {
+    pub(crate) index: u32,
+    /// In which packets: packet i as bit i. In no others is it the nearest.
+    pub(crate) packets: u64,
+}
+
+const _: () = assert!(PACKETS <= u64::BITS as usize);
 
 /// Fills in `nearest` for some packets of a wave. `EYE`: all rays start at the eye.
 #[inline(always)]
@@ -36,16 +49,19 @@ pub(crate) fn nearest<L: Lanes, const EYE: bool>(
         *index = L::index(NONE).to_array();
         *distance = L::constant(f64::INFINITY).to_array();
     }
+    nearest.found_len = 0;
     for &index in tried {
         let all = Try { index, wave, packets: packets.clone(), nearest };
-        match &scene.primitives[index as usize].shape {
+        let packets = match &scene.primitives[index as usize].shape {
             Shape::Ball(ball) if ball.is_around() => all.run::<L, _, EYE>(Around(*ball)),
             Shape::Ball(ball) => all.run::<L, _, EYE>(*ball),
             Shape::Flat(flat) if flat.is_around() => all.run::<L, _, EYE>(Around(*flat)),
             Shape::Flat(flat) => all.run::<L, _, EYE>(*flat),
             Shape::TextbookSphere(sphere) => all.run::<L, _, EYE>(*sphere),
             Shape::TextbookPlane(plane) => all.run::<L, _, EYE>(*plane),
-        }
+        };
+        nearest.found[nearest.found_len] = Found { index, packets };
+        nearest.found_len += usize::from(packets != 0);
     }
 }
 
@@ -91,12 +107,13 @@ struct Try<'a, S> {
 }
 
 impl<S: Lane> Try<'_, S> {
-    /// On all packets, run by run.
+    /// On all packets, run by run; those in which some ray may meet it.
     #[inline(always)]
-    fn run<L: Lanes<Scalar = S>, F: Form<S>, const EYE: bool>(mut self, form: F) {
+    fn run<L: Lanes<Scalar = S>, F: Form<S>, const EYE: bool>(mut self, form: F) -> u64 {
         if EYE {
             return self.on::<L, F, true, false>(form, self.packets.clone(), Mask::none());
         }
+        let mut found = 0;
         let mut start = self.packets.start;
         for run in self.wave.runs() {
             let packets = start..self.packets.end.min(run.end as usize);
@@ -107,13 +124,14 @@ impl<S: Lane> Try<'_, S> {
             if F::LEFT_BEHIND && run.left == self.index {
                 continue;
             }
-            if run.left == NONE {
-                self.on::<L, F, false, true>(form, packets, Mask::none());
+            found |= if run.left == NONE {
+                self.on::<L, F, false, true>(form, packets, Mask::none())
             } else {
                 let own = if run.left == self.index { Mask::every() } else { Mask::none() };
-                self.on::<L, F, false, false>(form, packets, own);
-            }
+                self.on::<L, F, false, false>(form, packets, own)
+            };
         }
+        found
     }
 
     /// On some packets, of which the lanes `own` left it; `MIXED`: which did is looked up.
@@ -123,8 +141,9 @@ impl<S: Lane> Try<'_, S> {
         form: F,
         packets: Range<usize>,
         own: Mask<L>,
-    ) {
-        let len = packets.len();
+    ) -> u64 {
+        let (first, len) = (packets.start, packets.len());
+        let mut found = 0;
         let index = L::index(self.index);
         // Slices of one length: then no bound is checked in the loop.
         let [ox, oy, oz] = self.wave.origins().packets(packets.clone()).map(|plane| &plane[..len]);
@@ -157,19 +176,46 @@ impl<S: Lane> Try<'_, S> {
             } else {
                 own
             };
-            let Some(found) = form.distance(&rays, own) else {
+            let Some(Distance { t, met }) = form.distance(&rays, own) else {
                 continue;
             };
+            found |= 1 << i;
             let best = L::from_array(distances[i]);
-            let closer = found.met & found.t.lt(best);
-            distances[i] = closer.replace(found.t, best).to_array();
+            let closer = met & t.lt(best);
+            distances[i] = closer.replace(t, best).to_array();
             indices[i] = closer.replace(index, L::from_array(indices[i])).to_array();
         }
+        found << first
     }
 }
 
 impl<S: Lane> Nearest<S> {
-    pub(crate) fn new() -> Self {
-        Self { index: Plane::of(S::ZERO), distance: Plane::of(S::ZERO) }
+    /// Of a scene with so many primitives.
+    pub(crate) fn new(primitives: usize) -> Self {
+        Self {
+            index: Plane::of(S::ZERO),
+            distance: Plane::of(S::ZERO),
+            found: vec![Found { index: NONE, packets: 0 }; primitives + 1],
+            found_len: 0,
+        }
+    }
+
+    /// Lanes without a ray meet nothing.
+    #[inline(always)]
+    pub(crate) fn forget_idle<L: Lanes<Scalar = S>>(
+        &mut self,
+        wave: &Wave<S>,
+        packets: Range<usize>,
+    ) {
+        for packet in packets {
+            let live = Mask::first(wave.live(packet));
+            let index = self.index.packet(packet);
+            self.index.put(packet, live.replace(index, L::index(NONE)));
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn found(&self) -> &[Found] {
+        &self.found[..self.found_len]
     }
 }

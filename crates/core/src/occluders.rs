@@ -15,7 +15,7 @@
 //! asks for a height that falls at the start. Balls around the eye and planes hide nothing at
 //! all. About textbook forms nothing is known. A comparison with NaN keeps the primitive.
 
-use catoptric_scene::{Compiled, Flat, Scalar, Shape};
+use catoptric_scene::{Ball, Compiled, Flat, Scalar, Shape};
 use glam::DVec3;
 
 use crate::lanes::{LANES, Lane, Lanes};
@@ -28,20 +28,33 @@ const MARGIN: f64 = 1e-5;
 /// The primitives that can stand before a lamp at all.
 pub(crate) struct Occluders<S: Scalar> {
     /// Balls, eight at a time, and their indices; the last eight are filled up with nothing.
-    balls: Vec<(Packed<S>, [S; LANES])>,
+    eights: Vec<(Packed<S>, [S; LANES])>,
+    balls: Vec<Ball<S>>,
     of_balls: Vec<u32>,
-    flats: Vec<(u32, Flat<S>)>,
+    flats: Vec<Flat<S>>,
+    of_flats: Vec<u32>,
     /// Those that are always kept.
     textbook: Vec<u32>,
+}
+
+/// A primitive that can stand before a lamp.
+pub(crate) enum Occluder<'a, S: Scalar> {
+    /// Not around the eye.
+    Ball(&'a Ball<S>),
+    Flat(&'a Flat<S>),
+    /// The primitive of that index.
+    Textbook(u32),
 }
 
 impl<S: Lane> Occluders<S> {
     /// Of the primitives of these indices.
     pub(crate) fn new(scene: &Compiled<S>, tried: &[u32]) -> Self {
         let mut these = Self {
+            eights: Vec::new(),
             balls: Vec::new(),
             of_balls: Vec::new(),
             flats: Vec::new(),
+            of_flats: Vec::new(),
             textbook: Vec::new(),
         };
         for &index in tried {
@@ -50,16 +63,20 @@ impl<S: Lane> Occluders<S> {
                 Shape::Ball(ball) => {
                     let lane = these.of_balls.len() % LANES;
                     if lane == 0 {
-                        these.balls.push(([[S::ZERO; LANES]; 3], [S::ZERO; LANES]));
+                        these.eights.push(([[S::ZERO; LANES]; 3], [S::ZERO; LANES]));
                     }
-                    let (center, radius) = these.balls.last_mut().expect("just made");
+                    let (center, radius) = these.eights.last_mut().expect("just made");
                     for (axis, x) in ball.center.into().into_iter().enumerate() {
                         center[axis][lane] = x;
                     }
                     radius[lane] = ball.radius;
+                    these.balls.push(*ball);
                     these.of_balls.push(index);
                 }
-                Shape::Flat(flat) if flat.curvature > S::ZERO => these.flats.push((index, *flat)),
+                Shape::Flat(flat) if flat.curvature > S::ZERO => {
+                    these.flats.push(*flat);
+                    these.of_flats.push(index);
+                }
                 Shape::Flat(_) => {}
                 Shape::TextbookSphere(_) | Shape::TextbookPlane(_) => these.textbook.push(index),
             }
@@ -69,11 +86,30 @@ impl<S: Lane> Occluders<S> {
 
     /// How many there can be for one lamp.
     pub(crate) fn len(&self) -> usize {
-        self.of_balls.len() + self.flats.len() + self.textbook.len()
+        self.balls.len() + self.flats.len() + self.textbook.len()
     }
 
-    /// Puts those that can stand between a lamp and points within `radius` of `center`, a point
-    /// of the scalar, on primitive `left` into `list`; how many.
+    /// The one of that number: of balls, flats and textbook forms, one after another.
+    #[inline(always)]
+    pub(crate) fn get(&self, number: u32) -> Occluder<'_, S> {
+        let number = number as usize;
+        if let Some(ball) = self.balls.get(number) {
+            Occluder::Ball(ball)
+        } else if let Some(flat) = self.flats.get(number - self.balls.len()) {
+            Occluder::Flat(flat)
+        } else {
+            Occluder::Textbook(self.textbook[number - self.balls.len() - self.flats.len()])
+        }
+    }
+
+    /// Index of the primitive of that number.
+    pub(crate) fn index(&self, number: u32) -> u32 {
+        let mut all = self.of_balls.iter().chain(&self.of_flats).chain(&self.textbook);
+        *all.nth(number as usize).expect("a number that was found")
+    }
+
+    /// Puts the numbers of those that can stand between a lamp and points within `radius` of
+    /// `center`, a point of the scalar, on primitive `left` into `list`; how many.
     #[inline(always)]
     pub(crate) fn find<L: Lanes<Scalar = S>>(
         &self,
@@ -84,6 +120,7 @@ impl<S: Lane> Occluders<S> {
         list: &mut [u32],
     ) -> usize {
         let mut len = 0;
+        let mut number = 0;
         let to_lamp = lamp - center;
         let distance = to_lamp.length();
         let axis = to_lamp * (1.0 / distance);
@@ -91,7 +128,7 @@ impl<S: Lane> Occluders<S> {
             Vec3 { x: L::constant(center.x), y: L::constant(center.y), z: L::constant(center.z) };
         let axis = Vec3 { x: L::constant(axis.x), y: L::constant(axis.y), z: L::constant(axis.z) };
         let (zero, distance) = (L::constant(0.0), L::constant(distance));
-        for ((c, r), of) in self.balls.iter().zip(self.of_balls.chunks(LANES)) {
+        for ((c, r), of) in self.eights.iter().zip(self.of_balls.chunks(LANES)) {
             let (w, r) = (Vec3::from_arrays(c) - q, L::from_array(*r));
             let along = w.dot(axis);
             let along = along.lt(zero).select(zero, along);
@@ -101,18 +138,21 @@ impl<S: Lane> Occluders<S> {
             let limit = both * both + L::constant(MARGIN) * (w.dot(w) + both * both);
             let mut rest = !v.dot(v).gt(limit).bits() & ((1 << of.len()) - 1);
             while rest != 0 {
-                let index = of[rest.trailing_zeros() as usize];
+                let lane = rest.trailing_zeros() as usize;
                 rest &= rest - 1;
-                list[len] = index;
-                len += usize::from(index != left);
+                list[len] = number + lane as u32;
+                len += usize::from(of[lane] != left);
             }
+            number += of.len() as u32;
         }
-        for (index, flat) in &self.flats {
-            list[len] = *index;
+        for (flat, index) in self.flats.iter().zip(&self.of_flats) {
+            list[len] = number;
+            number += 1;
             len += usize::from(*index != left && !rises(flat, lamp, center, radius));
         }
-        for index in &self.textbook {
-            list[len] = *index;
+        for _ in &self.textbook {
+            list[len] = number;
+            number += 1;
             len += 1;
         }
         len

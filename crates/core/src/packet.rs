@@ -16,8 +16,8 @@
 //!    ray, in the same order; operations are the same in a lane as on a scalar (`lanes`). A lane
 //!    without a ray does over again what another one does.
 //! 2. All rays of a tile go side by side, level by level: those of one depth are a wave
-//!    (`wave`). No ray knows of another, so their order is free. What a wave met is sorted by
-//!    primitive (`hits`), so that all that depends on the primitive is a scalar when its rays
+//!    (`wave`). No ray knows of another, so their order is free. What a wave met is taken
+//!    primitive by primitive (`surfaces`), so that all that depends on the primitive is a scalar when its rays
 //!    are shaded, as it is in the recursion; and the rays that go on are packed anew.
 //! 3. The call becomes a loop. On the way down every level leaves behind what it owes on the
 //!    return: for each ray that met something the local light, whose it is and k (`stack`).
@@ -30,9 +30,8 @@
 
 use std::ops::Range;
 
-use catoptric_scene::{Compiled, PointLight, Scalar};
+use catoptric_scene::{Compiled, DepthCount, PointLight, Scalar};
 
-use crate::hits::Hits;
 use crate::lanes::{LANES, Lane, Lanes, Mask};
 use crate::nearest::{Nearest, nearest};
 use crate::occluders::Occluders;
@@ -100,7 +99,6 @@ pub(crate) struct Work<S> {
     /// Eye rays; those of odd and of even levels; and those of level `BREADTH`.
     pub(crate) waves: [Box<Wave<S>>; 4],
     pub(crate) nearest: Box<Nearest<S>>,
-    hits: Hits,
     shading: Shading<S>,
     /// Of a tile's rays, what depends on the column, and how many lanes are in the picture.
     pub(crate) across: [(Packed<S>, usize); tile::WIDTH / LANES],
@@ -202,32 +200,26 @@ fn level<L: Lanes>(
         nearest::<L, false>(world.scene, mirrors, wave, packets.clone(), &mut work.nearest);
     }
 
-    let lanes = packets.len() * LANES;
-    let (mut idle, mut misses, mut shadow) = (0, 0, 0);
-    work.hits.clear();
-    for packet in packets.clone() {
-        let live = wave.live(packet);
-        misses += work.hits.sort::<L>(packet, live, &work.nearest);
-        idle += LANES - live;
-    }
-    if misses > idle {
-        stack.missed(packets.start, packets.len());
+    let count = DepthCount { rays: wave.count(packets.clone()), ..DepthCount::default() };
+    if count.rays < (packets.len() * LANES) as u64 {
+        // Of mirrored rays, only the last packet has idle lanes.
+        let start = if depth == 0 { packets.start } else { packets.end - 1 };
+        work.nearest.forget_idle::<L>(wave, start..packets.end);
     }
 
     let followed = depth < world.depth as usize;
-    let mut level =
-        Level { wave, nearest: &work.nearest, hits: &mut work.hits, stack, next, followed };
-    while let Some(index) = level.hits.next_met() {
-        shadow += shade::<L>(world, index, &mut level, &mut work.shading);
+    let mut level = Level { wave, nearest: &work.nearest, stack, next, followed, count };
+    for &found in work.nearest.found() {
+        shade::<L>(world, found, &mut level, &mut work.shading);
     }
     level.next.close::<L>(level.stack);
-    let next = level.next.len();
 
-    let count = stack.count();
-    count.rays += (lanes - idle) as u64;
-    count.hits += (lanes - misses) as u64;
-    count.shadow += shadow;
-    Ok(next)
+    let Level { stack, next, count, .. } = level;
+    if count.hits < count.rays {
+        stack.missed(packets.start, packets.len());
+    }
+    stack.count().add(count);
+    Ok(next.len())
 }
 
 impl<S: Lane> Work<S> {
@@ -235,8 +227,7 @@ impl<S: Lane> Work<S> {
     pub(crate) fn new(scene: &Compiled<S>, occluders: usize) -> Self {
         Self {
             waves: std::array::from_fn(|_| Box::new(Wave::new())),
-            nearest: Box::new(Nearest::new()),
-            hits: Hits::new(scene.primitives.len()),
+            nearest: Box::new(Nearest::new(scene.primitives.len())),
             shading: Shading::new(occluders, scene.lights.len()),
             across: [([[S::ZERO; LANES]; 3], 0); tile::WIDTH / LANES],
             sums: Box::new([[[S::ZERO; LANES]; 3]; PACKETS]),

@@ -318,7 +318,7 @@ pub(crate) fn occluders_of<S: Lane>(scene: &Compiled<S>, lamp: usize, receiver: 
     let left = u32::try_from(receiver).expect("fewer than 2^32 primitives");
     let position = in_f64::<S>(lamp.position);
     let len = occluders.find::<S::Portable>(position, center, radius, left, &mut list);
-    list.truncate(len);
-    list.sort_unstable();
-    list
+    let mut indices: Vec<_> = list[..len].iter().map(|&number| occluders.index(number)).collect();
+    indices.sort_unstable();
+    indices
 }

@@ -63,8 +63,8 @@ impl<S: Lane> Plane<S> {
 
     /// Those of eight rays.
     #[inline(always)]
-    pub(crate) fn gather<L: Lanes<Scalar = S>>(&self, slots: &[Slot; LANES]) -> L {
-        L::gather(|lane| self.ray(slots[lane] as usize))
+    pub(crate) fn gather<L: Lanes<Scalar = S>>(&self, slots: impl Fn(usize) -> usize) -> L {
+        L::gather(|lane| self.ray(slots(lane)))
     }
 
     #[inline(always)]
@@ -107,7 +107,10 @@ impl<S: Lane> Vectors<S> {
     }
 
     #[inline(always)]
-    pub(crate) fn gather<L: Lanes<Scalar = S>>(&self, slots: &[Slot; LANES]) -> Vec3<L> {
+    pub(crate) fn gather<L: Lanes<Scalar = S>>(
+        &self,
+        slots: impl Fn(usize) -> usize + Copy,
+    ) -> Vec3<L> {
         let [x, y, z] = &self.0;
         Vec3 { x: x.gather(slots), y: y.gather(slots), z: z.gather(slots) }
     }

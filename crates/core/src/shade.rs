@@ -1,17 +1,17 @@
 //! Local light, and the mirrored rays that go on, for all rays of a level that met one primitive.
 
-use catoptric_scene::{Numerics, Phong, PointLight, Scalar, Shape};
+use catoptric_scene::{DepthCount, Numerics, Phong, PointLight, Scalar, Shape};
 use glam::DVec3;
 
-use crate::hits::Hits;
 use crate::lanes::{LANES, Lane, Lanes, Mask};
-use crate::nearest::{Form, Nearest};
+use crate::nearest::{Form, Found, Nearest};
+use crate::occluders::Occluder;
 use crate::packet::{NONE, Rays, World};
 use crate::plan::is_unlit;
 use crate::power::power;
 use crate::sight::in_f64;
 use crate::stack::{Owed, Stack};
-use crate::surfaces::{Met, Origin, Surfaces};
+use crate::surfaces::{Met, Surfaces};
 use crate::vec3::Vec3;
 use crate::wave::{Mirrored, Wave};
 use crate::{ball, flat, textbook};
@@ -23,11 +23,11 @@ const WORTH_BOUNDS: usize = 8;
 pub(crate) struct Level<'a, 'b, S: Lane> {
     pub(crate) wave: &'a Wave<S>,
     pub(crate) nearest: &'a Nearest<S>,
-    pub(crate) hits: &'a mut Hits,
     pub(crate) stack: &'a mut Stack<'b, S>,
     pub(crate) next: &'a mut Wave<S>,
     /// Whether mirrored rays are traced.
     pub(crate) followed: bool,
+    pub(crate) count: DepthCount,
 }
 
 /// Room for what shading finds out about one primitive.
@@ -47,9 +47,10 @@ struct Lamps<'a, S: Scalar> {
 }
 
 /// What eight rays owe on the return.
-struct Owes<L: Lanes> {
+struct Owes<'a, L: Lanes> {
     local: Vec3<L>,
-    owed: [Owed; LANES],
+    rays: &'a [Owed; LANES],
+    material: u32,
     k: L::Scalar,
 }
 
@@ -70,19 +71,19 @@ impl<S: Lane> Shading<S> {
     }
 }
 
-/// Shades the rays of a level that met primitive `index`; how many shadow rays they have.
+/// Shades the rays of a level that met one primitive, and counts them and their shadow rays.
 #[inline(always)]
 pub(crate) fn shade<L: Lanes>(
     world: World<L::Scalar>,
-    index: u32,
+    found: Found,
     level: &mut Level<L::Scalar>,
     shading: &mut Shading<L::Scalar>,
-) -> u64 {
-    match &world.scene.primitives[index as usize].shape {
-        Shape::Ball(ball) => shade_form::<L, _>(*ball, world, index, level, shading),
-        Shape::Flat(flat) => shade_form::<L, _>(*flat, world, index, level, shading),
-        Shape::TextbookSphere(sphere) => shade_form::<L, _>(*sphere, world, index, level, shading),
-        Shape::TextbookPlane(plane) => shade_form::<L, _>(*plane, world, index, level, shading),
+) {
+    match &world.scene.primitives[found.index as usize].shape {
+        Shape::Ball(ball) => shade_form::<L, _>(*ball, world, found, level, shading),
+        Shape::Flat(flat) => shade_form::<L, _>(*flat, world, found, level, shading),
+        Shape::TextbookSphere(sphere) => shade_form::<L, _>(*sphere, world, found, level, shading),
+        Shape::TextbookPlane(plane) => shade_form::<L, _>(*plane, world, found, level, shading),
     }
 }
 
@@ -91,18 +92,22 @@ pub(crate) fn shade<L: Lanes>(
 fn shade_form<L: Lanes, F: Form<L::Scalar>>(
     form: F,
     world: World<L::Scalar>,
-    index: u32,
+    found: Found,
     level: &mut Level<L::Scalar>,
     shading: &mut Shading<L::Scalar>,
-) -> u64 {
-    let scene = world.scene;
+) {
+    let (scene, index) = (world.scene, found.index);
     let primitive = &scene.primitives[index as usize];
     let material = &scene.materials[primitive.material as usize];
     let followed = level.followed && material.mirror > L::Scalar::ZERO;
     let highlight = material.specular > L::Scalar::ZERO || !world.omit.directions;
     let Shading { surfaces, occluders, ends } = shading;
-    let met = Met { wave: level.wave, nearest: level.nearest, hits: level.hits, index };
-    surfaces.collect::<L, _>(form, met);
+    let met = Met { wave: level.wave, nearest: level.nearest, found };
+    let hits = surfaces.collect::<L, _>(form, met);
+    if hits == 0 {
+        return;
+    }
+    level.count.hits += hits;
 
     let few = world.occluders.len() * surfaces.all().len() < WORTH_BOUNDS;
     let (center, radius) =
@@ -122,9 +127,9 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
     let lamps = Lamps { lights, occluders, ends };
     let mut shadow = 0;
     for at in surfaces.all() {
-        let (lanes, direction) = match at.rays {
-            Origin::Packet(packet) => (Mask::every(), level.wave.directions().packet(packet)),
-            Origin::Single(_, live) => (Mask::first(live), Vec3::from_arrays(&at.direction)),
+        let (lanes, direction) = match Owed::packet(&at.rays) {
+            Some(packet) => (Mask::every(), level.wave.directions().packet(packet)),
+            None => (Mask::first(at.live), Vec3::from_arrays(&at.direction)),
         };
         let (point, normal) = form.surface(Vec3::from_arrays(&at.place), direction);
         let mut place =
@@ -133,15 +138,15 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
             place.mirrored = mirrored(F::NUMERICS, direction, normal);
         }
         let local = local::<L, F>(world, material, &place, lamps, lanes, &mut shadow);
-        let owed = owed(&at.rays, if followed { primitive.material } else { Owed::END });
         if followed {
-            let owes = Owes { local, owed, k: material.mirror };
-            go_on::<L, F>(world, index, &place, lanes, &at.rays, owes, level);
+            let owes =
+                Owes { local, rays: &at.rays, material: primitive.material, k: material.mirror };
+            go_on::<L, F>(world, index, &place, lanes, owes, level);
         } else {
-            level.stack.push(local, &owed);
+            level.stack.push(local, &at.rays, Owed::END);
         }
     }
-    shadow
+    level.count.shadow += shadow;
 }
 
 /// Ambient light plus what each visible lamp adds, in file order.
@@ -198,16 +203,16 @@ fn visible<L: Lanes, F: Form<L::Scalar>>(
 ) -> Mask<L> {
     let mut lit = faces;
     let rays = Rays { origin: at.start, direction: l };
-    for &index in occluders {
-        let dark = match (F::NUMERICS, &world.scene.primitives[index as usize].shape) {
-            (Numerics::Robust, Shape::Ball(ball)) => ball::occludes(ball, at.start, l, distance),
-            (Numerics::Robust, Shape::Flat(flat)) => flat::occludes(flat, at.start, l, distance),
-            (Numerics::Textbook, Shape::TextbookSphere(sphere)) => {
-                let root = textbook::sphere_distance(sphere, &rays);
-                root.met & root.t.lt(distance)
-            }
-            (Numerics::Textbook, Shape::TextbookPlane(plane)) => {
-                let root = textbook::plane_distance(plane, &rays);
+    for &number in occluders {
+        let dark = match (F::NUMERICS, world.occluders.get(number)) {
+            (Numerics::Robust, Occluder::Ball(ball)) => ball::occludes(ball, at.start, l, distance),
+            (Numerics::Robust, Occluder::Flat(flat)) => flat::occludes(flat, at.start, l, distance),
+            (Numerics::Textbook, Occluder::Textbook(index)) => {
+                let root = match &world.scene.primitives[index as usize].shape {
+                    Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, &rays),
+                    Shape::TextbookPlane(plane) => textbook::plane_distance(plane, &rays),
+                    _ => unreachable!("a scene's forms are all of its numerics"),
+                };
                 root.met & root.t.lt(distance)
             }
             _ => unreachable!("a scene's forms are all of its numerics"),
@@ -230,21 +235,6 @@ fn mirrored<L: Lanes>(numerics: Numerics, d: Vec3<L>, n: Vec3<L>) -> Vec3<L> {
     }
 }
 
-/// Whose rays came to a place, by the mirror of which material.
-#[inline(always)]
-fn owed(rays: &Origin, material: u32) -> [Owed; LANES] {
-    match rays {
-        Origin::Packet(packet) => [Owed::to_packet(*packet, material); LANES],
-        Origin::Single(slots, _) => {
-            let mut owed = [Owed::NOTHING; LANES];
-            for (owed, &slot) in owed.iter_mut().zip(slots) {
-                *owed = Owed::to_ray(slot, material);
-            }
-            owed
-        }
-    }
-}
-
 /// Adds the mirrored rays whose weight is not below the cut to the next wave.
 ///
 /// Without a cut every weight passes, and weights are not even formed.
@@ -254,7 +244,6 @@ fn go_on<L: Lanes, F: Form<L::Scalar>>(
     index: u32,
     at: &Place<L>,
     lanes: Mask<L>,
-    rays: &Origin,
     owes: Owes<L>,
     level: &mut Level<L::Scalar>,
 ) {
@@ -266,9 +255,9 @@ fn go_on<L: Lanes, F: Form<L::Scalar>>(
     let mut next = Mirrored { rays: rays_on, weight: None, left };
     let mut goes_on = lanes;
     if world.scene.min_weight > L::Scalar::ZERO {
-        let weight = match rays {
-            Origin::Packet(packet) => level.wave.weights().packet::<L>(*packet),
-            Origin::Single(slots, _) => level.wave.weights().gather(slots),
+        let weight = match Owed::packet(owes.rays) {
+            Some(packet) => level.wave.weights().packet::<L>(packet),
+            None => level.wave.weights().gather(|lane| owes.rays[lane].slot()),
         };
         let product = weight * L::splat(owes.k);
         goes_on = goes_on & product.ge(L::splat(world.scene.min_weight));
@@ -276,21 +265,28 @@ fn go_on<L: Lanes, F: Form<L::Scalar>>(
     }
     if goes_on.all() {
         level.next.push(&next);
-        level.stack.push(owes.local, &owes.owed);
+        level.stack.push(owes.local, owes.rays, owes.material);
         return;
     }
-    let (local, owed) = (owes.local.to_arrays(), Owed::each(&owes.owed));
-    let ends = lanes.without(goes_on).bits();
-    if ends != 0 {
+    let (local, owed) = (owes.local.to_arrays(), Owed::each(owes.rays, owes.material));
+    let ends = lanes.without(goes_on);
+    if ends.any() {
         // Lanes that go on repeat the first one that ends.
-        let first = ends.trailing_zeros() as usize % LANES;
-        let from = |lane: usize| if ends >> lane & 1 != 0 { lane } else { first };
-        let mut ended = [Owed::NOTHING; LANES];
-        for (lane, ended) in ended.iter_mut().enumerate() {
-            *ended = owed[from(lane)].ended();
+        let set = ends.bits();
+        let first = set.trailing_zeros() as usize % LANES;
+        let Vec3 { x, y, z } = owes.local;
+        let all = Vec3 {
+            x: ends.select(x, L::splat(local[0][first])),
+            y: ends.select(y, L::splat(local[1][first])),
+            z: ends.select(z, L::splat(local[2][first])),
+        };
+        let mut ended = [owed[first].ended(); LANES];
+        for (lane, (ended, owed)) in ended.iter_mut().zip(owed).enumerate() {
+            if set >> lane & 1 != 0 {
+                *ended = owed.ended();
+            }
         }
-        let axis = |axis: usize| L::gather(|lane| local[axis][from(lane)]);
-        level.stack.push(Vec3 { x: axis(0), y: axis(1), z: axis(2) }, &ended);
+        level.stack.push(all, &ended, 0);
     }
     level.next.push_lanes(&next, goes_on, &local, &owed, level.stack);
 }

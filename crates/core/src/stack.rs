@@ -34,8 +34,9 @@ impl<S: Lane> Pending<S> {
 
 /// The ray that a colour belongs to, and by the mirror of which material its mirrored ray's colour
 /// is added. In bits 0 to 8 the ray's slot, in bits 9 to 30 the material, or [`Owed::END`] where no
-/// mirror is followed; that is the same for all eight. Bit 31 is set in all lanes where they are
-/// the lanes of one packet; the slot is then that of its first.
+/// mirror is followed; that is the same for all eight. Bit 31 says in lane 0 that they are the
+/// lanes of one packet, whose first slot then stands in all of them; in lane 1, that they are of
+/// one material.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Owed(u32);
 
@@ -47,26 +48,39 @@ impl Owed {
     pub(crate) const NOTHING: Self = Self(u32::MAX);
     /// In place of a material.
     pub(crate) const END: u32 = (1 << 22) - 1;
-    const WHOLE: u32 = 1 << 31;
+    const FLAG: u32 = 1 << 31;
     const SLOTS: u32 = RAYS as u32;
 
+    /// By eight rays that met the same. Of material 0, until it is known.
     #[inline(always)]
-    pub(crate) fn to_ray(slot: Slot, material: u32) -> Self {
-        Self(material * Self::SLOTS + u32::from(slot))
+    pub(crate) fn to_rays(slots: &[Slot; LANES]) -> [Self; LANES] {
+        let mut owed = slots.map(|slot| Self(u32::from(slot)));
+        owed[1].0 |= Self::FLAG;
+        owed
     }
 
+    /// By the rays of a packet that met the same. Of material 0, until it is known.
     #[inline(always)]
-    pub(crate) fn to_packet(packet: usize, material: u32) -> Self {
-        Self(Self::WHOLE | (material * Self::SLOTS + (packet * LANES) as u32))
+    pub(crate) fn to_packet(packet: usize) -> [Self; LANES] {
+        [Self(Self::FLAG | (packet * LANES) as u32); LANES]
     }
 
-    /// Lane by lane, of what may be a packet.
+    /// By the mirror of that material.
     #[inline(always)]
-    pub(crate) fn each(owed: &[Self; LANES]) -> [Self; LANES] {
-        let mut each = *owed;
-        if owed[0].is_whole() {
-            for (lane, each) in each.iter_mut().enumerate() {
-                each.0 = (each.0 & !Self::WHOLE) + lane as u32;
+    fn by(self, material: u32) -> Self {
+        Self(self.0 | (material * Self::SLOTS))
+    }
+
+    /// Of rays that met the same, those by the mirror of that material, lane by lane, so that they
+    /// can be put together with others.
+    #[inline(always)]
+    pub(crate) fn each(rays: &[Self; LANES], material: u32) -> [Self; LANES] {
+        let packet = Self::packet(rays).is_some();
+        let mut each = *rays;
+        for (lane, owed) in each.iter_mut().enumerate() {
+            *owed = Self(owed.0 & !Self::FLAG).by(material);
+            if packet {
+                owed.0 += lane as u32;
             }
         }
         each
@@ -78,9 +92,15 @@ impl Owed {
         Self(Self::END * Self::SLOTS + self.0 % Self::SLOTS)
     }
 
+    /// The packet whose lanes they are.
     #[inline(always)]
-    fn is_whole(self) -> bool {
-        self.0 & Self::WHOLE != 0
+    pub(crate) fn packet(owed: &[Self; LANES]) -> Option<usize> {
+        if owed[0].0 & Self::FLAG != 0 { Some(owed[0].slot() / LANES) } else { None }
+    }
+
+    #[inline(always)]
+    fn are_of_one_material(owed: &[Self; LANES]) -> bool {
+        owed[1].0 & Self::FLAG != 0
     }
 
     #[inline(always)]
@@ -89,13 +109,13 @@ impl Owed {
     }
 
     #[inline(always)]
-    fn slot(self) -> usize {
+    pub(crate) fn slot(self) -> usize {
         (self.0 % Self::SLOTS) as usize
     }
 
     #[inline(always)]
     fn material(self) -> u32 {
-        (self.0 & !Self::WHOLE) / Self::SLOTS
+        (self.0 & !Self::FLAG) / Self::SLOTS
     }
 
     /// How much of the mirrored ray's colour is added; 0 where there is none.
@@ -250,11 +270,20 @@ impl<'a, S: Lane> Stack<'a, S> {
         (level.first_missed, level.missed) = (first as u8, packets as u8);
     }
 
-    /// Puts eight rays of the level in flight on the stack.
+    /// Puts eight rays of the level in flight on the stack, and by the mirror of which material.
     #[inline(always)]
-    pub(crate) fn push<L: Lanes<Scalar = S>>(&mut self, local: Vec3<L>, owed: &[Owed; LANES]) {
+    pub(crate) fn push<L: Lanes<Scalar = S>>(
+        &mut self,
+        local: Vec3<L>,
+        rays: &[Owed; LANES],
+        material: u32,
+    ) {
         let pending = &mut self.packets[self.len];
-        (pending.local, pending.owed) = (local.to_arrays(), *owed);
+        let mut owed = *rays;
+        for owed in &mut owed {
+            *owed = owed.by(material);
+        }
+        (pending.local, pending.owed) = (local.to_arrays(), owed);
         self.len += 1;
     }
 
@@ -305,7 +334,7 @@ impl<'a, S: Lane> Stack<'a, S> {
         for pending in &self.packets[start..self.len] {
             let (mut colour, owed) = (Vec3::<L>::from_arrays(&pending.local), &pending.owed);
             if !owed[0].is_end() {
-                let k = if owed[0].is_whole() {
+                let k = if Owed::are_of_one_material(owed) {
                     L::splat(owed[0].k(materials))
                 } else {
                     L::gather(|lane| owed[lane].k(materials))
@@ -313,10 +342,9 @@ impl<'a, S: Lane> Stack<'a, S> {
                 colour = fold(colour, k, below.packet(first_below));
                 first_below += 1;
             }
-            if owed[0].is_whole() {
-                colours.put(owed[0].slot() / LANES, colour);
-            } else {
-                colours.scatter(|lane| owed[lane].slot(), colour);
+            match Owed::packet(owed) {
+                Some(packet) => colours.put(packet, colour),
+                None => colours.scatter(|lane| owed[lane].slot(), colour),
             }
         }
         self.len = start;

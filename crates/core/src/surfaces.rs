@@ -2,32 +2,27 @@
 
 use glam::DVec3;
 
-use crate::hits::{Hits, Singles};
-use crate::lanes::{LANES, Lane, Lanes};
-use crate::nearest::{Form, Nearest};
+use crate::lanes::{LANES, Lane, Lanes, Mask};
+use crate::nearest::{Form, Found, Nearest};
 use crate::packet::Rays;
-use crate::plane::{PACKETS, Slot};
+use crate::plane::PACKETS;
+use crate::singles::Singles;
+use crate::stack::Owed;
 use crate::vec3::{Packed, Vec3};
 use crate::wave::Wave;
 
 /// Eight places at most; lanes without one repeat the first.
 #[derive(Clone, Copy)]
-#[repr(align(32))]
+#[repr(C, align(32))]
 pub(crate) struct Surface<S> {
     /// What the form makes points and normals of.
     pub(crate) place: Packed<S>,
-    /// Of single rays, their directions; a packet's are in its wave.
+    /// Which rays came there.
+    pub(crate) rays: [Owed; LANES],
+    /// Of rays that are no packet, their directions; a packet's are in its wave.
     pub(crate) direction: Packed<S>,
-    pub(crate) rays: Origin,
-}
-
-/// Which rays came there.
-#[derive(Clone, Copy)]
-pub(crate) enum Origin {
-    /// A packet, lane by lane.
-    Packet(usize),
-    /// So many single rays, the others repeat the first.
-    Single([Slot; LANES], usize),
+    /// How many there are.
+    pub(crate) live: u32,
 }
 
 /// Room for the surfaces of one primitive.
@@ -43,14 +38,14 @@ pub(crate) struct Surfaces<S> {
 pub(crate) struct Met<'a, S> {
     pub(crate) wave: &'a Wave<S>,
     pub(crate) nearest: &'a Nearest<S>,
-    pub(crate) hits: &'a mut Hits,
-    pub(crate) index: u32,
+    pub(crate) found: Found,
 }
 
 impl<S: Lane> Surfaces<S> {
     pub(crate) fn new() -> Self {
         let empty = [[S::ZERO; LANES]; 3];
-        let surface = Surface { place: empty, direction: empty, rays: Origin::Packet(0) };
+        let rays = [Owed::NOTHING; LANES];
+        let surface = Surface { place: empty, rays, direction: empty, live: 0 };
         Self {
             list: vec![surface; PACKETS],
             len: 0,
@@ -64,39 +59,59 @@ impl<S: Lane> Surfaces<S> {
         &self.list[..self.len]
     }
 
-    /// Collects all places where the primitive of that form was met.
+    /// Collects all places where the primitive of that form was met; how many rays met it.
+    ///
+    /// A packet all of whose rays did is a surface as it is. Rays of other packets are put together
+    /// to eights.
+    ///
+    /// A point of NaN, which no lamp reaches, does not count for their bounds: it comes first in the
+    /// comparison.
     ///
     /// There are no more of them than packets: so many packets met it whole, and the single rays
     /// come from others, eight of them at most. The list does not end before them.
     #[inline(always)]
-    pub(crate) fn collect<L: Lanes<Scalar = S>, F: Form<S>>(&mut self, form: F, met: Met<S>) {
+    pub(crate) fn collect<L: Lanes<Scalar = S>, F: Form<S>>(
+        &mut self,
+        form: F,
+        met: Met<S>,
+    ) -> u64 {
         let mut least = Vec3::all(L::constant(f64::INFINITY));
         let mut most = Vec3::all(L::constant(f64::NEG_INFINITY));
         let mut list = self.list.iter_mut();
         let mut len = 0;
-        let mut next = met.hits.take_packets(met.index);
-        while let Some(packet) = next {
+        let mut hits = 0;
+        self.singles.clear();
+        let Found { index, mut packets } = met.found;
+        while packets != 0 {
+            let packet = packets.trailing_zeros() as usize;
+            packets &= packets - 1;
+            let lanes = met.nearest.index.packet::<L>(packet).same_bits(L::index(index)).bits();
+            hits += u64::from(lanes.count_ones());
+            if lanes != Mask::<L>::ALL {
+                self.singles.add(packet, lanes);
+                continue;
+            }
             let Some(at) = list.next() else { break };
-            next = met.hits.next_packet(packet);
             len += 1;
-            at.rays = Origin::Packet(packet);
+            (at.rays, at.live) = (Owed::to_packet(packet), LANES as u32);
             let rays = met.wave.rays(packet);
             let point = at.fill::<L, F>(form, &rays, met.nearest.distance.packet(packet));
-            (least, most) = (least.least(point), most.most(point));
+            (least, most) = (point.least(least), point.most(most));
         }
-        met.hits.take_singles(met.index, &mut self.singles);
         for group in 0..self.singles.groups() {
             let Some(at) = list.next() else { break };
             len += 1;
-            let (slots, live) = self.singles.group(group);
-            at.rays = Origin::Single(slots, live);
-            let rays = met.wave.gather(&slots);
+            let (single, live) = self.singles.group(group);
+            let slots = |lane: usize| single[lane] as usize;
+            (at.rays, at.live) = (Owed::to_rays(&single), live as u32);
+            let rays = met.wave.gather(slots);
             at.direction = rays.direction.to_arrays();
-            let point = at.fill::<L, F>(form, &rays, met.nearest.distance.gather(&slots));
-            (least, most) = (least.least(point), most.most(point));
+            let point = at.fill::<L, F>(form, &rays, met.nearest.distance.gather(slots));
+            (least, most) = (point.least(least), point.most(most));
         }
         self.len = len;
         (self.least, self.most) = (least.to_arrays(), most.to_arrays());
+        hits
     }
 
     /// Centre, a point of the scalar, and radius of a ball that holds all points.

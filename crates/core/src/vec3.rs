@@ -45,11 +45,13 @@ impl<L: Lanes> Vec3<L> {
         Self { x, y: x, z: x }
     }
 
+    /// The lesser of each two components; that of `other` where one of them is NaN.
     #[inline(always)]
     pub(crate) fn least(self, other: Self) -> Self {
         Self { x: self.x.least(other.x), y: self.y.least(other.y), z: self.z.least(other.z) }
     }
 
+    /// The greater of each two components; that of `other` where one of them is NaN.
     #[inline(always)]
     pub(crate) fn most(self, other: Self) -> Self {
         Self { x: self.x.most(other.x), y: self.y.most(other.y), z: self.z.most(other.z) }

@@ -7,9 +7,11 @@
 //! A wave has at most as many rays as the one above it, and all its packets but the last are
 //! full: so it never holds more than [`PACKETS`].
 
+use std::ops::Range;
+
 use crate::lanes::{LANES, Lane, Lanes, Mask};
 use crate::packet::{NONE, Rays};
-use crate::plane::{PACKETS, Plane, Slot, Vectors};
+use crate::plane::{PACKETS, Plane, Vectors};
 use crate::stack::{Owed, Stack};
 use crate::vec3::{Packed, Vec3};
 
@@ -88,8 +90,14 @@ impl<S: Lane> Wave<S> {
     }
 
     #[inline(always)]
-    pub(crate) fn live(&self, packet: usize) -> usize {
+    pub(crate) fn live(&self, packet: usize) -> u32 {
         self.live[packet % PACKETS].into()
+    }
+
+    /// Rays of some packets.
+    #[inline(always)]
+    pub(crate) fn count(&self, packets: Range<usize>) -> u64 {
+        self.live[packets].iter().map(|&live| u64::from(live)).sum()
     }
 
     #[inline(always)]
@@ -113,7 +121,10 @@ impl<S: Lane> Wave<S> {
     }
 
     #[inline(always)]
-    pub(crate) fn gather<L: Lanes<Scalar = S>>(&self, slots: &[Slot; LANES]) -> Rays<L> {
+    pub(crate) fn gather<L: Lanes<Scalar = S>>(
+        &self,
+        slots: impl Fn(usize) -> usize + Copy,
+    ) -> Rays<L> {
         let (origin, direction) = (self.origins.gather(slots), self.directions.gather(slots));
         Rays { origin, direction }
     }
@@ -237,7 +248,7 @@ impl<S: Lane> Wave<S> {
         self.directions.put(self.len, Vec3::<L>::from_arrays(direction));
         self.left.put(self.len, L::from_array(*left));
         self.weights.put(self.len, L::from_array(*weight));
-        stack.push(Vec3::<L>::from_arrays(local), owed);
+        stack.push(Vec3::<L>::from_arrays(local), owed, 0);
         let live = std::mem::take(live);
         self.add(NONE, live);
     }

@@ -11,6 +11,16 @@ pub struct DepthCount {
     pub shadow: u64,
 }
 
+impl DepthCount {
+    /// Adds others of that depth.
+    #[inline]
+    pub fn add(&mut self, other: Self) {
+        self.rays += other.rays;
+        self.hits += other.hits;
+        self.shadow += other.shadow;
+    }
+}
+
 /// Ray counts of a rendering, by depth. Logical: a ray that the picture needs is counted
 /// whether or not the engine had to trace it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -59,9 +69,7 @@ impl Counts {
             self.depths.resize(other.depths.len(), DepthCount::default());
         }
         for (sum, part) in self.depths.iter_mut().zip(&other.depths) {
-            sum.rays += part.rays;
-            sum.hits += part.hits;
-            sum.shadow += part.shadow;
+            sum.add(*part);
         }
     }
 }

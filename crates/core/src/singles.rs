@@ -1,0 +1,70 @@
+//! Rays of many packets that met one primitive, put together to eights.
+
+use crate::lanes::LANES;
+use crate::plane::{RAYS, Slot};
+
+/// Of each set of lanes, these lanes, one after another.
+const LANES_OF: [[Slot; LANES]; 1 << LANES] = {
+    let mut of = [[0; LANES]; 1 << LANES];
+    let mut set = 0;
+    while set < 1 << LANES {
+        let (mut lane, mut len) = (0, 0);
+        while lane < LANES {
+            if set >> lane & 1 != 0 {
+                of[set][len] = lane as Slot;
+                len += 1;
+            }
+            lane += 1;
+        }
+        set += 1;
+    }
+    of
+};
+
+/// Where single rays stand.
+pub(crate) struct Singles {
+    /// Eight more: they are written eight at a time.
+    slots: [Slot; RAYS + LANES],
+    len: usize,
+}
+
+impl Singles {
+    pub(crate) fn new() -> Self {
+        Self { slots: [0; RAYS + LANES], len: 0 }
+    }
+
+    #[inline(always)]
+    pub(crate) fn clear(&mut self) {
+        self.len = 0;
+    }
+
+    /// Adds lanes of a packet, lane i as bit i.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, packet: usize, lanes: u32) {
+        let mut slots = LANES_OF[lanes as usize % (1 << LANES)];
+        for slot in &mut slots {
+            *slot += (packet * LANES) as Slot;
+        }
+        if let Some(to) = self.slots[self.len..].first_chunk_mut() {
+            *to = slots;
+        }
+        self.len += lanes.count_ones() as usize;
+    }
+
+    /// How many groups of eight they make, the last one perhaps of fewer.
+    #[inline(always)]
+    pub(crate) fn groups(&self) -> usize {
+        self.len.div_ceil(LANES)
+    }
+
+    /// The slots of a group, and how many they are; the others repeat the first.
+    #[inline(always)]
+    pub(crate) fn group(&self, group: usize) -> ([Slot; LANES], usize) {
+        let slots = &self.slots[group * LANES..];
+        let mut slots = slots.first_chunk().copied().unwrap_or_default();
+        let live = LANES.min(self.len - group * LANES);
+        let first = slots[0];
+        slots[live..].fill(first);
+        (slots, live)
+    }
+}
