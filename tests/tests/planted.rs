@@ -177,9 +177,9 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "a point that is no number takes the others' bounds away",
-        file: "vec3.rs",
-        sound: "self.x.least(other.x)",
-        instead: "other.x.least(self.x)",
+        file: "surfaces.rs",
+        sound: "[point.least(bounds[0]), point.most(bounds[1])]",
+        instead: "[bounds[0].least(point), bounds[1].most(point)]",
     },
     Fault {
         name: "rays of two materials owed to one",

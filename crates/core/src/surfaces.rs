@@ -64,9 +64,6 @@ impl<S: Lane> Surfaces<S> {
     /// A packet all of whose rays did is a surface as it is. Rays of other packets are put together
     /// to eights.
     ///
-    /// A point of NaN, which no lamp reaches, does not count for their bounds: it comes first in the
-    /// comparison.
-    ///
     /// There are no more of them than packets: so many packets met it whole, and the single rays
     /// come from others, eight of them at most. The list does not end before them.
     #[inline(always)]
@@ -75,8 +72,8 @@ impl<S: Lane> Surfaces<S> {
         form: F,
         met: Met<S>,
     ) -> u64 {
-        let mut least = Vec3::all(L::constant(f64::INFINITY));
-        let mut most = Vec3::all(L::constant(f64::NEG_INFINITY));
+        let (least, most) = (L::constant(f64::INFINITY), L::constant(f64::NEG_INFINITY));
+        let mut bounds = [Vec3::all(least), Vec3::all(most)];
         let mut list = self.list.iter_mut();
         let mut len = 0;
         let mut hits = 0;
@@ -95,8 +92,7 @@ impl<S: Lane> Surfaces<S> {
             len += 1;
             (at.rays, at.live) = (Owed::to_packet(packet), LANES as u32);
             let rays = met.wave.rays(packet);
-            let point = at.fill::<L, F>(form, &rays, met.nearest.distance.packet(packet));
-            (least, most) = (point.least(least), point.most(most));
+            at.fill::<L, F>(form, &rays, met.nearest.distance.packet(packet), &mut bounds);
         }
         for group in 0..self.singles.groups() {
             let Some(at) = list.next() else { break };
@@ -106,11 +102,10 @@ impl<S: Lane> Surfaces<S> {
             (at.rays, at.live) = (Owed::to_rays(&single), live as u32);
             let rays = met.wave.gather(slots);
             at.direction = rays.direction.to_arrays();
-            let point = at.fill::<L, F>(form, &rays, met.nearest.distance.gather(slots));
-            (least, most) = (point.least(least), point.most(most));
+            at.fill::<L, F>(form, &rays, met.nearest.distance.gather(slots), &mut bounds);
         }
         self.len = len;
-        (self.least, self.most) = (least.to_arrays(), most.to_arrays());
+        (self.least, self.most) = (bounds[0].to_arrays(), bounds[1].to_arrays());
         hits
     }
 
@@ -135,16 +130,21 @@ impl<S: Lane> Surfaces<S> {
 }
 
 impl<S: Lane> Surface<S> {
-    /// Where rays met a primitive; the points.
+    /// Where rays met a primitive; widens the bounds of its points.
+    ///
+    /// A point of NaN, which no lamp reaches, changes no bound: of it and a number the second is
+    /// taken.
     #[inline(always)]
     fn fill<L: Lanes<Scalar = S>, F: Form<S>>(
         &mut self,
         form: F,
         rays: &Rays<L>,
         distance: L,
-    ) -> Vec3<L> {
+        bounds: &mut [Vec3<L>; 2],
+    ) {
         let place = form.place(rays, distance);
         self.place = place.to_arrays();
-        form.surface(place, rays.direction).0
+        let (point, _) = form.surface(place, rays.direction);
+        *bounds = [point.least(bounds[0]), point.most(bounds[1])];
     }
 }
