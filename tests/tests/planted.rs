@@ -42,12 +42,12 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a fused multiply-add in a ball's discriminant",
         file: "ball.rs",
-        sound: "(b, L::splat(ball.radius_squared) - x.dot(x))",
-        instead: "let (p, q, r) = (x.x.to_array(), x.y.to_array(), x.z.to_array()); \
+        sound: "L::splat(ball.radius_squared) - x.dot(x)",
+        instead: "{ let (p, q, r) = (x.x.to_array(), x.y.to_array(), x.z.to_array()); \
             let sum = L::from_array(p) * L::from_array(p) + L::from_array(q) * L::from_array(q); \
             let (sum, f) = (sum.to_array(), catoptric_scene::Scalar::to_f64); \
-            (b, L::splat(ball.radius_squared) - L::from_array(std::array::from_fn(\
-            |i| catoptric_scene::Scalar::rounded(f(r[i]).mul_add(f(r[i]), f(sum[i]))))))",
+            L::splat(ball.radius_squared) - L::from_array(std::array::from_fn(\
+            |i| catoptric_scene::Scalar::rounded(f(r[i]).mul_add(f(r[i]), f(sum[i]))))) }",
     },
     Fault {
         name: "lanes off by one",
@@ -58,14 +58,14 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a tie broken the other way",
         file: "nearest.rs",
-        sound: "met & t.lt(best)",
-        instead: "met & t.le(best)",
+        sound: "found.met & found.t.lt(best)",
+        instead: "found.met & found.t.le(best)",
     },
     Fault {
         name: "a lost tail lane",
         file: "nearest.rs",
-        sound: "Mask::first(wave.live(packet))",
-        instead: "Mask::first(wave.live(packet) - 1)",
+        sound: "Mask::of((1 << wave.live(packet)) - 1)",
+        instead: "Mask::of((1 << (wave.live(packet) - 1)) - 1)",
     },
     Fault {
         name: "levels rounded in place of truncated",
@@ -94,8 +94,8 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "the primitive just left is met again",
         file: "ball.rs",
-        sound: "(b.gt(zero) & discriminant.ge(zero)).without(own)",
-        instead: "(b.gt(zero) & discriminant.ge(zero))",
+        sound: "own.or_nan(self.discriminant)",
+        instead: "self.discriminant",
     },
     Fault {
         name: "a ray exactly at the cut is lost",
@@ -190,8 +190,14 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a primitive that some packet met is forgotten there",
         file: "nearest.rs",
-        sound: "found << first",
-        instead: "found",
+        sound: "found |= 1 << i",
+        instead: "found |= 1 << (i / 2)",
+    },
+    Fault {
+        name: "a ball that not all rays of a packet meet is forgotten there",
+        file: "nearest.rs",
+        sound: "u64::from(foot.met().any())",
+        instead: "u64::from(foot.met().all())",
     },
     Fault {
         name: "a lane without a ray whose colour its first lane gets",
@@ -209,7 +215,7 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "packets that left two primitives taken for one's",
         file: "wave.rs",
-        sound: "self.runs_len == 0 || self.runs[(self.runs_len - 1) % PACKETS].left != left",
+        sound: "self.runs_len == 0 || self.last != left",
         instead: "self.runs_len == 0",
     },
     Fault {

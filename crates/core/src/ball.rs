@@ -13,15 +13,17 @@ impl<S: Lane> Form<S> for Ball<S> {
     const LEFT_BEHIND: bool = true;
 
     #[inline(always)]
+    fn ball(&self) -> Option<&Ball<S>> {
+        Some(self)
+    }
+
+    #[inline(always)]
     fn distance<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>> {
-        let zero = L::constant(0.0);
-        let (b, discriminant) = foot(self, rays);
-        let met = (b.gt(zero) & discriminant.ge(zero)).without(own);
-        // Most packets miss most balls: the root is worth a branch.
-        if !met.any() {
+        let foot = foot(self, rays).without(own);
+        if !foot.met().any() {
             return None;
         }
-        Some(Distance { t: (b - discriminant.sqrt()).not_behind(), met })
+        Some(foot.near())
     }
 
     #[inline(always)]
@@ -45,8 +47,9 @@ impl<S: Lane> Form<S> for Around<Ball<S>> {
 
     #[inline(always)]
     fn distance<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>> {
-        let (b, discriminant) = foot(&self.0, rays);
-        let s = own.select(b, discriminant.positive().sqrt());
+        let Foot { b, discriminant } = foot(&self.0, rays);
+        // Of a packet that left it whole, no root.
+        let s = if own.all() { b } else { own.select(b, discriminant.positive().sqrt()) };
         let t = (b + s).not_behind();
         Some(Distance { t, met: t.ge(L::constant(0.0)) })
     }
@@ -62,13 +65,43 @@ impl<S: Lane> Form<S> for Around<Ball<S>> {
     }
 }
 
-/// The distance of the foot of the perpendicular from the centre, and r^2 - its square.
+/// The foot of the perpendicular from the centre on eight rays.
+#[derive(Clone, Copy)]
+pub(crate) struct Foot<L> {
+    /// How far along the ray it is.
+    pub(crate) b: L,
+    /// r^2 less the square of its distance from the centre.
+    pub(crate) discriminant: L,
+}
+
 #[inline(always)]
-fn foot<L: Lanes>(ball: &Ball<L::Scalar>, rays: &Rays<L>) -> (L, L) {
+pub(crate) fn foot<L: Lanes>(ball: &Ball<L::Scalar>, rays: &Rays<L>) -> Foot<L> {
     let f = Vec3::splat(ball.center) - rays.origin;
     let b = f.dot(rays.direction);
     let x = rays.direction * b - f;
-    (b, L::splat(ball.radius_squared) - x.dot(x))
+    Foot { b, discriminant: L::splat(ball.radius_squared) - x.dot(x) }
+}
+
+impl<L: Lanes> Foot<L> {
+    /// The lanes `own` meet nothing: their discriminant is NaN.
+    #[inline(always)]
+    pub(crate) fn without(self, own: Mask<L>) -> Self {
+        Self { discriminant: own.or_nan(self.discriminant), ..self }
+    }
+
+    /// The lanes that meet the ball, not around the eye.
+    #[inline(always)]
+    pub(crate) fn met(self) -> Mask<L> {
+        let zero = L::constant(0.0);
+        self.b.gt(zero) & self.discriminant.ge(zero)
+    }
+
+    /// Where they do.
+    #[inline(always)]
+    pub(crate) fn near(self) -> Distance<L> {
+        let t = (self.b - self.discriminant.sqrt()).not_behind();
+        Distance { t, met: self.met() }
+    }
 }
 
 /// The lanes for which it, not around the eye, stands between `point` and a lamp at `distance` in

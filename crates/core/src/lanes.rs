@@ -150,14 +150,18 @@ impl<L: Lanes> Mask<L> {
         Self(L::index(u32::MAX))
     }
 
-    /// True in the first `n` lanes.
+    /// True in lane i where bit i is 1.
     #[inline(always)]
-    pub(crate) fn first(n: u32) -> Self {
+    pub(crate) fn of(bits: u32) -> Self {
         let mut lane = [L::Scalar::ZERO; LANES];
         for (i, lane) in lane.iter_mut().enumerate() {
-            *lane = Scalar::rounded(i as f64);
+            *lane = Lane::from_index(bits & 1 << i);
         }
-        L::from_array(lane).lt(L::constant(n.into()))
+        let bits = L::from_array(lane);
+        for (i, lane) in lane.iter_mut().enumerate() {
+            *lane = Lane::from_index(1 << i);
+        }
+        Self(bits.same_bits(L::from_array(lane)).0)
     }
 
     /// Lane i as bit i.
@@ -203,6 +207,12 @@ impl<L: Lanes> Mask<L> {
     #[inline(always)]
     pub(crate) fn drop(self, x: L) -> L {
         x.bit_clear(self.0)
+    }
+
+    /// NaN where true, `x` elsewhere.
+    #[inline(always)]
+    pub(crate) fn or_nan(self, x: L) -> L {
+        x.bit_or(self.0)
     }
 
     /// True here and not there.

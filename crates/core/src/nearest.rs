@@ -6,9 +6,10 @@
 
 use std::ops::Range;
 
-use catoptric_scene::{Compiled, Numerics, Shape};
+use catoptric_scene::{Ball, Compiled, Numerics, Shape};
 
-use crate::lanes::{Lane, Lanes, Mask};
+use crate::ball::{self, Foot};
+use crate::lanes::{LANES, Lane, Lanes, Mask};
 use crate::packet::{Distance, NONE, Rays};
 use crate::plane::{PACKETS, Plane};
 use crate::vec3::Vec3;
@@ -19,6 +20,9 @@ pub(crate) struct Nearest<S> {
     /// Index of the primitive, or [`NONE`].
     pub(crate) index: Plane<S>,
     pub(crate) distance: Plane<S>,
+    /// Of the ball that is tried; see [`Foot`].
+    feet: Plane<S>,
+    discriminants: Plane<S>,
     /// One more than there are primitives: one is written before it is known whether it counts.
     found: Vec<Found>,
     found_len: usize,
@@ -32,7 +36,7 @@ pub(crate) struct Found {
     pub(crate) packets: u64,
 }
 
-const _: () = assert!(PACKETS <= u64::BITS as usize);
+const _: () = assert!(PACKETS == u64::BITS as usize);
 
 /// Fills in `nearest` for some packets of a wave. `EYE`: all rays start at the eye.
 #[inline(always)]
@@ -66,11 +70,17 @@ pub(crate) fn nearest<L: Lanes, const EYE: bool>(
 }
 
 /// What a ray may meet.
-pub(crate) trait Form<S>: Copy {
+pub(crate) trait Form<S: Lane>: Copy {
     /// The formulas that it belongs to.
     const NUMERICS: Numerics;
     /// Whether rays that left it do not meet it next, whatever it is computed to be.
     const LEFT_BEHIND: bool;
+
+    /// The ball that it is, if it is one that is not around the eye.
+    #[inline(always)]
+    fn ball(&self) -> Option<&Ball<S>> {
+        None
+    }
 
     /// Distances to it, unless all lanes miss it; `own`: the lanes whose ray starts on it.
     ///
@@ -124,11 +134,14 @@ impl<S: Lane> Try<'_, S> {
             if F::LEFT_BEHIND && run.left == self.index {
                 continue;
             }
-            found |= if run.left == NONE {
-                self.on::<L, F, false, true>(form, packets, Mask::none())
-            } else {
-                let own = if run.left == self.index { Mask::every() } else { Mask::none() };
-                self.on::<L, F, false, false>(form, packets, own)
+            found |= match (form.ball(), run.left == NONE) {
+                (Some(ball), true) => self.sift::<L, true>(ball, packets),
+                (Some(ball), false) => self.sift::<L, false>(ball, packets),
+                (None, true) => self.on::<L, F, false, true>(form, packets, Mask::none()),
+                (None, false) => {
+                    let own = if run.left == self.index { Mask::every() } else { Mask::none() };
+                    self.on::<L, F, false, false>(form, packets, own)
+                }
             };
         }
         found
@@ -143,49 +156,120 @@ impl<S: Lane> Try<'_, S> {
         own: Mask<L>,
     ) -> u64 {
         let (first, len) = (packets.start, packets.len());
-        let mut found = 0;
         let index = L::index(self.index);
-        // Slices of one length: then no bound is checked in the loop.
-        let [ox, oy, oz] = self.wave.origins().packets(packets.clone()).map(|plane| &plane[..len]);
-        let [dx, dy, dz] =
-            self.wave.directions().packets(packets.clone()).map(|plane| &plane[..len]);
-        let left = &self.wave.left().packets(packets.clone())[..len];
+        let tried = Tried::of(self.wave, packets.clone());
         let indices = &mut self.nearest.index.packets_mut(packets.clone())[..len];
         let distances = &mut self.nearest.distance.packets_mut(packets)[..len];
+        let mut found = 0;
         for i in 0..len {
-            let rays = Rays {
-                origin: if EYE {
-                    Vec3::zero()
-                } else {
-                    Vec3 {
-                        x: L::from_array(ox[i]),
-                        y: L::from_array(oy[i]),
-                        z: L::from_array(oz[i]),
-                    }
-                },
-                direction: Vec3 {
-                    x: L::from_array(dx[i]),
-                    y: L::from_array(dy[i]),
-                    z: L::from_array(dz[i]),
-                },
-            };
+            let mut rays = Rays { origin: Vec3::zero(), direction: tried.direction::<L>(i) };
+            if !EYE {
+                rays.origin = tried.origin(i);
+            }
             let own = if MIXED {
-                L::from_array(left[i]).same_bits(index)
+                tried.left::<L>(i).same_bits(index)
             } else if F::LEFT_BEHIND {
                 Mask::none()
             } else {
                 own
             };
-            let Some(Distance { t, met }) = form.distance(&rays, own) else {
-                continue;
-            };
-            found |= 1 << i;
-            let best = L::from_array(distances[i]);
-            let closer = met & t.lt(best);
-            distances[i] = closer.replace(t, best).to_array();
-            indices[i] = closer.replace(index, L::from_array(indices[i])).to_array();
+            if let Some(distance) = form.distance(&rays, own) {
+                found |= 1 << i;
+                take(index, distance, &mut indices[i], &mut distances[i]);
+            }
         }
         found << first
+    }
+
+    /// [`Try::on`] for a ball that rays left elsewhere. Whether some ray of a packet meets it is hard
+    /// to foresee, so no branch depends on it: first the packets are found, then only those are gone
+    /// through.
+    #[inline(always)]
+    fn sift<L: Lanes<Scalar = S>, const MIXED: bool>(
+        &mut self,
+        ball: &Ball<S>,
+        packets: Range<usize>,
+    ) -> u64 {
+        let (first, len) = (packets.start, packets.len());
+        let index = L::index(self.index);
+        let tried = Tried::of(self.wave, packets.clone());
+        let Nearest { index: indices, distance: distances, feet, discriminants, .. } =
+            &mut *self.nearest;
+        let feet_of_run = &mut feet.packets_mut(packets.clone())[..len];
+        let discriminants_of_run = &mut discriminants.packets_mut(packets)[..len];
+        let mut found = 0;
+        for i in (0..len).rev() {
+            let rays = Rays { origin: tried.origin::<L>(i), direction: tried.direction(i) };
+            let mut foot = ball::foot(ball, &rays);
+            if MIXED {
+                foot = foot.without(tried.left::<L>(i).same_bits(index));
+            }
+            feet_of_run[i] = foot.b.to_array();
+            discriminants_of_run[i] = foot.discriminant.to_array();
+            found = found * 2 + u64::from(foot.met().any());
+        }
+        let mut rest = found << first;
+        while rest != 0 {
+            let packet = rest.trailing_zeros() as usize;
+            rest &= rest - 1;
+            let foot =
+                Foot { b: feet.packet::<L>(packet), discriminant: discriminants.packet(packet) };
+            take(index, foot.near(), indices.packet_mut(packet), distances.packet_mut(packet));
+        }
+        found << first
+    }
+}
+
+/// Replaces what a packet meets first where a primitive is nearer.
+#[inline(always)]
+fn take<L: Lanes>(
+    index: L,
+    found: Distance<L>,
+    indices: &mut [L::Scalar; LANES],
+    distances: &mut [L::Scalar; LANES],
+) {
+    let best = L::from_array(*distances);
+    let closer = found.met & found.t.lt(best);
+    *distances = closer.replace(found.t, best).to_array();
+    *indices = closer.replace(index, L::from_array(*indices)).to_array();
+}
+
+/// Packets of rays. Slices of one length: then no bound is checked in a loop over them.
+struct Tried<'a, S> {
+    origins: [&'a [[S; LANES]]; 3],
+    directions: [&'a [[S; LANES]]; 3],
+    left: &'a [[S; LANES]],
+}
+
+impl<'a, S: Lane> Tried<'a, S> {
+    #[inline(always)]
+    fn of(wave: &'a Wave<S>, packets: Range<usize>) -> Self {
+        let len = packets.len();
+        let [ox, oy, oz] = wave.origins().packets(packets.clone());
+        let [dx, dy, dz] = wave.directions().packets(packets.clone());
+        Self {
+            origins: [&ox[..len], &oy[..len], &oz[..len]],
+            directions: [&dx[..len], &dy[..len], &dz[..len]],
+            left: &wave.left().packets(packets)[..len],
+        }
+    }
+
+    #[inline(always)]
+    fn origin<L: Lanes<Scalar = S>>(&self, i: usize) -> Vec3<L> {
+        let [x, y, z] = self.origins;
+        Vec3 { x: L::from_array(x[i]), y: L::from_array(y[i]), z: L::from_array(z[i]) }
+    }
+
+    #[inline(always)]
+    fn direction<L: Lanes<Scalar = S>>(&self, i: usize) -> Vec3<L> {
+        let [x, y, z] = self.directions;
+        Vec3 { x: L::from_array(x[i]), y: L::from_array(y[i]), z: L::from_array(z[i]) }
+    }
+
+    /// What each ray left.
+    #[inline(always)]
+    fn left<L: Lanes<Scalar = S>>(&self, i: usize) -> L {
+        L::from_array(self.left[i])
     }
 }
 
@@ -195,6 +279,8 @@ impl<S: Lane> Nearest<S> {
         Self {
             index: Plane::of(S::ZERO),
             distance: Plane::of(S::ZERO),
+            feet: Plane::of(S::ZERO),
+            discriminants: Plane::of(S::ZERO),
             found: vec![Found { index: NONE, packets: 0 }; primitives + 1],
             found_len: 0,
         }
@@ -208,7 +294,7 @@ impl<S: Lane> Nearest<S> {
         packets: Range<usize>,
     ) {
         for packet in packets {
-            let live = Mask::first(wave.live(packet));
+            let live = Mask::of((1 << wave.live(packet)) - 1);
             let index = self.index.packet(packet);
             self.index.put(packet, live.replace(index, L::index(NONE)));
         }

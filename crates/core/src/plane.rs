@@ -46,6 +46,11 @@ impl<S: Lane> Plane<S> {
     }
 
     #[inline(always)]
+    pub(crate) fn packet_mut(&mut self, packet: usize) -> &mut [S; LANES] {
+        &mut self.0[packet % PACKETS]
+    }
+
+    #[inline(always)]
     pub(crate) fn packets(&self, packets: Range<usize>) -> &[[S; LANES]] {
         &self.0[packets]
     }

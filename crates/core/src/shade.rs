@@ -44,6 +44,8 @@ struct Lamps<'a, S: Scalar> {
     lights: &'a [PointLight<S>],
     occluders: &'a [u32],
     ends: &'a [usize],
+    /// Whether highlights are formed.
+    highlight: bool,
 }
 
 /// What eight rays owe on the return.
@@ -124,12 +126,12 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
         *lamp_end = end;
     }
 
-    let lamps = Lamps { lights, occluders, ends };
+    let lamps = Lamps { lights, occluders, ends, highlight };
     let mut shadow = 0;
     for at in surfaces.all() {
         let (lanes, direction) = match Owed::packet(&at.rays) {
             Some(packet) => (Mask::every(), level.wave.directions().packet(packet)),
-            None => (Mask::first(at.live), Vec3::from_arrays(&at.direction)),
+            None => (Mask::of(at.live), Vec3::from_arrays(&at.direction)),
         };
         let (point, normal) = form.surface(Vec3::from_arrays(&at.place), direction);
         let mut place =
@@ -182,7 +184,7 @@ fn local<L: Lanes, F: Form<L::Scalar>>(
             continue;
         }
         let mut light = Vec3::splat(material.diffuse) * facing;
-        if material.specular > L::Scalar::ZERO || !world.omit.directions {
+        if lamps.highlight {
             let highlight = L::splat(material.specular) * power(l.dot(at.mirrored), material.power);
             light = light + Vec3::all(highlight);
         }
