@@ -32,7 +32,7 @@ pub(crate) struct Nearest<S> {
 #[derive(Clone, Copy)]
 pub(crate) struct Found {
     pub(crate) index: u32,
-    /// In which packets: packet i as bit i. In no others is it the nearest.
+    /// In which packets it may be the nearest, packet i as bit i; in no others is it.
     pub(crate) packets: u64,
 }
 

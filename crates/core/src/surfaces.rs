@@ -65,7 +65,7 @@ impl<S: Lane> Surfaces<S> {
     /// A packet all of whose rays did is a surface as it is. Rays of other packets are put together
     /// to eights.
     ///
-    /// There are no more of them than packets: so many packets met it whole, and the single rays
+    /// There are no more surfaces than packets: so many packets met it whole, and the single rays
     /// come from others, eight of them at most. The list does not end before them.
     #[inline(always)]
     pub(crate) fn collect<L: Lanes<Scalar = S>, F: Form<S>>(
