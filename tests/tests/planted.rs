@@ -64,8 +64,8 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a lost tail lane",
         file: "nearest.rs",
-        sound: "Mask::of((1 << wave.live(packet)) - 1)",
-        instead: "Mask::of((1 << (wave.live(packet) - 1)) - 1)",
+        sound: "Mask::first(wave.live(packet))",
+        instead: "Mask::first(wave.live(packet) - 1)",
     },
     Fault {
         name: "levels rounded in place of truncated",

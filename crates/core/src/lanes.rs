@@ -150,12 +150,12 @@ impl<L: Lanes> Mask<L> {
         Self(L::index(u32::MAX))
     }
 
-    /// True in lane i where bit i is 1.
+    /// True in the first `n` lanes.
     #[inline(always)]
-    pub(crate) fn of(bits: u32) -> Self {
+    pub(crate) fn first(n: u32) -> Self {
         let mut lane = [L::Scalar::ZERO; LANES];
         for (i, lane) in lane.iter_mut().enumerate() {
-            *lane = Lane::from_index(bits & 1 << i);
+            *lane = Lane::from_index(((1 << n) - 1) & 1 << i);
         }
         let bits = L::from_array(lane);
         for (i, lane) in lane.iter_mut().enumerate() {

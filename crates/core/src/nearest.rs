@@ -208,7 +208,8 @@ impl<S: Lane> Try<'_, S> {
             discriminants_of_run[i] = foot.discriminant.to_array();
             found = found * 2 + u64::from(foot.met().any());
         }
-        let mut rest = found << first;
+        let found = found << first;
+        let mut rest = found;
         while rest != 0 {
             let packet = rest.trailing_zeros() as usize;
             rest &= rest - 1;
@@ -216,7 +217,7 @@ impl<S: Lane> Try<'_, S> {
                 Foot { b: feet.packet::<L>(packet), discriminant: discriminants.packet(packet) };
             take(index, foot.near(), indices.packet_mut(packet), distances.packet_mut(packet));
         }
-        found << first
+        found
     }
 }
 
@@ -294,7 +295,7 @@ impl<S: Lane> Nearest<S> {
         packets: Range<usize>,
     ) {
         for packet in packets {
-            let live = Mask::of((1 << wave.live(packet)) - 1);
+            let live = Mask::first(wave.live(packet));
             let index = self.index.packet(packet);
             self.index.put(packet, live.replace(index, L::index(NONE)));
         }

@@ -131,7 +131,7 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
     for at in surfaces.all() {
         let (lanes, direction) = match Owed::packet(&at.rays) {
             Some(packet) => (Mask::every(), level.wave.directions().packet(packet)),
-            None => (Mask::of(at.live), Vec3::from_arrays(&at.direction)),
+            None => (Mask::first(at.live), Vec3::from_arrays(&at.direction)),
         };
         let (point, normal) = form.surface(Vec3::from_arrays(&at.place), direction);
         let mut place =

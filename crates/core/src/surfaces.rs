@@ -21,7 +21,7 @@ pub(crate) struct Surface<S> {
     pub(crate) rays: [Owed; LANES],
     /// Of rays that are no packet, their directions; a packet's are in its wave.
     pub(crate) direction: Packed<S>,
-    /// Lanes that have one, lane i as bit i.
+    /// And how many they are.
     pub(crate) live: u32,
 }
 
@@ -91,7 +91,7 @@ impl<S: Lane> Surfaces<S> {
             }
             let Some(at) = list.next() else { break };
             len += 1;
-            (at.rays, at.live) = (Owed::to_packet(packet), Mask::<L>::ALL);
+            at.rays = Owed::to_packet(packet);
             let rays = met.wave.rays(packet);
             at.fill::<L, F>(form, &rays, met.nearest.distance.packet(packet), &mut bounds);
         }
@@ -100,7 +100,7 @@ impl<S: Lane> Surfaces<S> {
             len += 1;
             let (single, live) = self.singles.group(group);
             let slots = |lane: usize| single[lane] as usize;
-            (at.rays, at.live) = (Owed::to_rays(&single), (1 << live) - 1);
+            (at.rays, at.live) = (Owed::to_rays(&single), live as u32);
             let rays = met.wave.gather(slots);
             at.direction = rays.direction.to_arrays();
             at.fill::<L, F>(form, &rays, met.nearest.distance.gather(slots), &mut bounds);
