@@ -215,7 +215,7 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "packets that left two primitives taken for one's",
         file: "wave.rs",
-        sound: "self.runs_len == 0 || self.last != left",
+        sound: "self.runs_len == 0 || self.runs[(self.runs_len - 1) % PACKETS].left != left",
         instead: "self.runs_len == 0",
     },
     Fault {

@@ -33,8 +33,6 @@ pub(crate) struct Wave<S> {
     /// Of mirrored rays.
     runs: [Run; PACKETS],
     runs_len: usize,
-    /// What the rays of the last run left.
-    last: u32,
     /// Index of the primitive that each ray left, which is not met again, or all ones. Kept only
     /// where the run does not say it.
     left: Plane<S>,
@@ -71,7 +69,6 @@ impl<S: Lane> Wave<S> {
             live: [0; PACKETS],
             runs: [Run { left: NONE, end: 0 }; PACKETS],
             runs_len: 0,
-            last: NONE,
             left: Plane::of(S::ZERO),
             weights: Plane::of(S::rounded(1.0)),
             len: 0,
@@ -159,8 +156,7 @@ impl<S: Lane> Wave<S> {
         debug_assert!(self.len < PACKETS);
         self.live[self.len % PACKETS] = live as u8;
         self.len += 1;
-        if self.runs_len == 0 || self.last != left {
-            self.last = left;
+        if self.runs_len == 0 || self.runs[(self.runs_len - 1) % PACKETS].left != left {
             self.runs[self.runs_len % PACKETS].left = left;
             self.runs_len += 1;
         }
