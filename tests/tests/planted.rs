@@ -202,9 +202,8 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a lane without a ray whose colour its first lane gets",
         file: "plane.rs",
-        sound: "self.0.as_flattened_mut()[slots(lane) % RAYS] = number",
-        instead: "self.0.as_flattened_mut()[slots(LANES - 1 - lane) % RAYS] = \
-            numbers[LANES - 1 - lane]",
+        sound: "LANES - 1 - i",
+        instead: "i",
     },
     Fault {
         name: "rays that met nothing keep an earlier ray's colour",
@@ -215,8 +214,8 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "packets that left two primitives taken for one's",
         file: "wave.rs",
-        sound: "self.runs_len == 0 || self.runs[(self.runs_len - 1) % PACKETS].left != left",
-        instead: "self.runs_len == 0",
+        sound: "left != self.left_last",
+        instead: "left != self.left_last && self.len == 0",
     },
     Fault {
         name: "a ball left out that stands out of the one around it",

@@ -208,7 +208,8 @@ fn level<L: Lanes>(
     }
 
     let followed = depth < world.depth as usize;
-    let mut level = Level { wave, nearest: &work.nearest, stack, next, followed, count };
+    let cut = world.scene.min_weight > L::Scalar::ZERO;
+    let mut level = Level { wave, nearest: &work.nearest, stack, next, followed, cut, count };
     for &found in work.nearest.found() {
         shade::<L>(world, found, &mut level, &mut work.shading);
     }

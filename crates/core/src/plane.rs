@@ -73,11 +73,8 @@ impl<S: Lane> Plane<S> {
     }
 
     #[inline(always)]
-    fn scatter<L: Lanes<Scalar = S>>(&mut self, slots: impl Fn(usize) -> usize, numbers: L) {
-        let numbers = numbers.to_array();
-        for (lane, number) in numbers.into_iter().enumerate().rev() {
-            self.0.as_flattened_mut()[slots(lane) % RAYS] = number;
-        }
+    fn put_ray(&mut self, slot: usize, number: S) {
+        self.0.as_flattened_mut()[slot % RAYS] = number;
     }
 }
 
@@ -124,12 +121,17 @@ impl<S: Lane> Vectors<S> {
     #[inline(always)]
     pub(crate) fn scatter<L: Lanes<Scalar = S>>(
         &mut self,
-        slots: impl Fn(usize) -> usize + Copy,
+        slots: impl Fn(usize) -> usize,
         v: Vec3<L>,
     ) {
         let [x, y, z] = &mut self.0;
-        x.scatter(slots, v.x);
-        y.scatter(slots, v.y);
-        z.scatter(slots, v.z);
+        let [vx, vy, vz] = v.to_arrays();
+        for i in 0..LANES {
+            let lane = LANES - 1 - i;
+            let slot = slots(lane);
+            x.put_ray(slot, vx[lane]);
+            y.put_ray(slot, vy[lane]);
+            z.put_ray(slot, vz[lane]);
+        }
     }
 }

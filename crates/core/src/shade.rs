@@ -27,6 +27,8 @@ pub(crate) struct Level<'a, 'b, S: Lane> {
     pub(crate) next: &'a mut Wave<S>,
     /// Whether mirrored rays are traced.
     pub(crate) followed: bool,
+    /// Whether there is a cut by weight.
+    pub(crate) cut: bool,
     pub(crate) count: DepthCount,
 }
 
@@ -256,7 +258,7 @@ fn go_on<L: Lanes, F: Form<L::Scalar>>(
     let rays_on = Rays { origin: at.start, direction: at.mirrored };
     let mut next = Mirrored { rays: rays_on, weight: None, left };
     let mut goes_on = lanes;
-    if world.scene.min_weight > L::Scalar::ZERO {
+    if level.cut {
         let weight = match Owed::packet(owes.rays) {
             Some(packet) => level.wave.weights().packet::<L>(packet),
             None => level.wave.weights().gather(|lane| owes.rays[lane].slot()),

@@ -33,6 +33,8 @@ pub(crate) struct Wave<S> {
     /// Of mirrored rays.
     runs: [Run; PACKETS],
     runs_len: usize,
+    /// What the packets after the last run left.
+    left_last: u32,
     /// Index of the primitive that each ray left, which is not met again, or all ones. Kept only
     /// where the run does not say it.
     left: Plane<S>,
@@ -69,6 +71,7 @@ impl<S: Lane> Wave<S> {
             live: [0; PACKETS],
             runs: [Run { left: NONE, end: 0 }; PACKETS],
             runs_len: 0,
+            left_last: NONE,
             left: Plane::of(S::ZERO),
             weights: Plane::of(S::rounded(1.0)),
             len: 0,
@@ -154,13 +157,19 @@ impl<S: Lane> Wave<S> {
     #[inline(always)]
     fn add(&mut self, left: u32, live: usize) {
         debug_assert!(self.len < PACKETS);
+        if left != self.left_last {
+            self.end_run();
+            self.left_last = left;
+        }
         self.live[self.len % PACKETS] = live as u8;
         self.len += 1;
-        if self.runs_len == 0 || self.runs[(self.runs_len - 1) % PACKETS].left != left {
-            self.runs[self.runs_len % PACKETS].left = left;
-            self.runs_len += 1;
-        }
-        self.runs[(self.runs_len - 1) % PACKETS].end = self.len as u32;
+    }
+
+    /// The first packet begins no run anew.
+    #[inline(always)]
+    fn end_run(&mut self) {
+        self.runs[self.runs_len % PACKETS] = Run { left: self.left_last, end: self.len as u32 };
+        self.runs_len += usize::from(self.len > 0);
     }
 
     /// A further packet of eye rays, in a wave that holds no others: weights stay 1.
@@ -231,6 +240,7 @@ impl<S: Lane> Wave<S> {
         if self.waiting.live > 0 {
             self.push_waiting::<L>(stack);
         }
+        self.end_run();
     }
 
     #[inline(always)]
