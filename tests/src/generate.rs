@@ -187,6 +187,38 @@ pub fn graze() -> impl Strategy<Value = Scene> {
     )
 }
 
+/// A place so far from a lamp that rounding moves the shadow there of a ball near the lamp, and
+/// the ball's rim near the way between them.
+pub fn far_graze() -> impl Strategy<Value = Scene> {
+    let off = (-4.0..-0.3f64, any::<bool>())
+        .prop_map(|(e, outside)| if outside { 10f64.powf(e) } else { -10f64.powf(e) });
+    let far = (2.0..6.5f64).prop_map(|e| 10f64.powf(e));
+    let scales = (far, 0.1..10.0f64, 0.1..10.0f64, 0.02..0.8f64);
+    (scales, direction(), direction(), direction(), off).prop_map(
+        |((far, lamp_far, from_lamp, share), away, lamp, aside, off)| {
+            let mut draft = Draft::default();
+            (draft.image.width, draft.image.height) = (8, 1);
+            draft.camera.fov = 0.1;
+            let material = Material::matt([0.8; 3]);
+            let ball = |center, radius| Sphere { center, radius, material };
+            let place = along([0.0; 3], away, far);
+            draft.camera.look_at = place;
+            draft.camera.up = across(away, lamp).unwrap_or([0.6, 0.48, 0.64]);
+            draft.spheres.push(ball(along([0.0; 3], away, 1.5 * far), 0.5 * far));
+            let lamp = along([0.0; 3], lamp, lamp_far);
+            draft.lights.push(Light { position: lamp, intensity: [1.0; 3] });
+            let way = [place[0] - lamp[0], place[1] - lamp[1], place[2] - lamp[2]];
+            let way = along([0.0; 3], way, 1.0 / way.iter().map(|x| x * x).sum::<f64>().sqrt());
+            if let Some(across) = across(way, aside) {
+                let radius = share * from_lamp;
+                let foot = along(lamp, way, from_lamp);
+                draft.spheres.push(ball(along(foot, across, radius * (1.0 + off)), radius));
+            }
+            Scene::new(draft).expect("generated scenes are valid")
+        },
+    )
+}
+
 /// A heap of mirror balls so far away, for their size, that rays leave them from a little inside
 /// or outside; they cover few pixels each, so that rays of one packet leave different ones.
 pub fn specks(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = Scene> {

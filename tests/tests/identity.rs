@@ -228,6 +228,11 @@ proptest! {
     }
 
     #[test]
+    fn generated_far_grazes(scene in generate::far_graze()) {
+        same(&scene, 1)?;
+    }
+
+    #[test]
     fn generated_specks(scene in generate::specks((1u32..=40, 1u32..=24))) {
         same(&scene, 1)?;
     }

@@ -105,6 +105,12 @@ proptest! {
         check("graze", &scene, 1).map_err(TestCaseError::fail)?;
     }
 
+    /// A place far from its lamp.
+    #[test]
+    fn every_plan_of_far_grazes(scene in generate::far_graze()) {
+        check("far graze", &scene, 1).map_err(TestCaseError::fail)?;
+    }
+
     /// Balls just inside another one, and just out of it.
     #[test]
     fn every_plan_of_nests(scene in generate::nested((1u32..=40, 1u32..=24))) {

@@ -105,15 +105,15 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "a hidden lamp shines",
-        file: "shade.rs",
-        sound: "lamp.hidden || !faces.any()",
-        instead: "!faces.any()",
+        file: "light.rs",
+        sound: "lamp.hidden",
+        instead: "false",
     },
     Fault {
         name: "lamps summed in another order",
         file: "shade.rs",
-        sound: "lamps.lights.iter()",
-        instead: "lamps.lights.iter().rev().copied().collect::<Vec<_>>().leak().iter()",
+        sound: "lights.iter().zip(&*ends)",
+        instead: "lights.iter().rev().copied().collect::<Vec<_>>().leak().iter().zip(&*ends)",
     },
     Fault {
         name: "a ball left out of a tile that shows its rim",
@@ -129,15 +129,27 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "a shadow ray that is not counted",
-        file: "shade.rs",
-        sound: "(faces & lanes).count()",
-        instead: "if lamp.hidden { 0 } else { (faces & lanes).count() }",
+        file: "light.rs",
+        sound: "(faces.bits() & ((1 << at.live) - 1)).count_ones()",
+        instead: "if lamp.hidden { 0 } else { (faces.bits() & ((1 << at.live) - 1)).count_ones() }",
     },
     Fault {
         name: "a ball left out of a shadow that its rim grazes",
         file: "occluders.rs",
         sound: "v.dot(v).gt(limit)",
         instead: "v.dot(v).gt(limit * L::constant(0.9999))",
+    },
+    Fault {
+        name: "a cone of shadow that its ball stands out of",
+        file: "occluders.rs",
+        sound: "radius / distance + SPREAD",
+        instead: "radius / distance * 0.999",
+    },
+    Fault {
+        name: "a cone of shadow that holds beyond its reach",
+        file: "light.rs",
+        sound: "far | toward.reached::<L>(number, places)",
+        instead: "toward.reached::<L>(number, places)",
     },
     Fault {
         name: "a horizon left out of the shadow that it casts",

@@ -150,18 +150,25 @@ impl<L: Lanes> Mask<L> {
         Self(L::index(u32::MAX))
     }
 
+    /// Of lanes that are all ones or all zeros.
+    #[inline(always)]
+    pub(crate) fn from_array(lanes: [L::Scalar; LANES]) -> Self {
+        Self(L::from_array(lanes))
+    }
+
+    #[inline(always)]
+    pub(crate) fn to_array(self) -> [L::Scalar; LANES] {
+        self.0.to_array()
+    }
+
     /// True in the first `n` lanes.
     #[inline(always)]
     pub(crate) fn first(n: u32) -> Self {
-        let mut lane = [L::Scalar::ZERO; LANES];
-        for (i, lane) in lane.iter_mut().enumerate() {
-            *lane = Lane::from_index(((1 << n) - 1) & 1 << i);
+        let mut numbers = [L::Scalar::ZERO; LANES];
+        for (i, number) in numbers.iter_mut().enumerate() {
+            *number = Scalar::rounded(i as f64);
         }
-        let bits = L::from_array(lane);
-        for (i, lane) in lane.iter_mut().enumerate() {
-            *lane = Lane::from_index(1 << i);
-        }
-        Self(bits.same_bits(L::from_array(lane)).0)
+        L::from_array(numbers).lt(L::constant(n.into()))
     }
 
     /// Lane i as bit i.
@@ -178,11 +185,6 @@ impl<L: Lanes> Mask<L> {
     #[inline(always)]
     pub(crate) fn all(self) -> bool {
         self.bits() == Self::ALL
-    }
-
-    #[inline(always)]
-    pub(crate) fn count(self) -> u64 {
-        u64::from(self.bits().count_ones())
     }
 
     /// `this` where true, `other` elsewhere.

@@ -2,7 +2,7 @@
 //! f64.
 //!
 //! Start with `packet`, the loop; then what it calls, in that order: `nearest`, `shade`
-//! with `surfaces` and `occluders`, `wave`, `stack`; then the shapes, which stand here under the
+//! with `surfaces`, `occluders` and `light`, `wave`, `stack`; then the shapes, which stand here under the
 //! same names as in the reference. `plan` says what is left out, `plane` how a wave's numbers lie in
 //! memory, `output` what becomes of the colours. `lanes` is the only file that knows what eight
 //! lanes are made of.
@@ -11,6 +11,7 @@ mod ball;
 mod flat;
 mod isa;
 mod lanes;
+mod light;
 mod nearest;
 mod nested;
 mod occluders;

@@ -11,6 +11,19 @@
 //! of |w|^2 + (R + r)^2, so the distance itself passes R + r by more than 50u (|w| + R + r),
 //! after the few u that are lost here.
 //!
+//! Where points are all over a primitive, that leaves little out. So there is a second bound, for
+//! eight points at a time. Seen from the lamp a ball at distance D, centre to lamp, fills a cone
+//! of sine r/D around its centre. A way that comes no closer to the centre than rho < D is outside
+//! the cone of sine rho/D: l·axis is below sqrt(1 - (rho/D)^2), l being the unit vector to the lamp
+//! and axis the one from the centre to the lamp. As said above, the reference finds x dark only
+//! where rho is at most r(1 + 2u) + 20u |f|, f from x to the centre, and |f| is at most D more than
+//! x's distance from the lamp. Within 1000 D of the lamp, rho/D is below r/D + 20 040u, which is r/D +
+//! 1.2e-3 in f32. Here it is 1.4e-3 more. l, axis and their product are off by 12u; here the cosine
+//! is 1e-5 less. Points further away are tried, and a ball that nearly touches the lamp, or is too
+//! small or large for its squares to be rounded relative to their size, has no cone. A point so
+//! near the lamp that the square of its distance is not rounded so, and l perhaps no unit vector,
+//! is lit whether tried or not: its foot is within twice its distance, which the ball is far from.
+//!
 //! A large sphere hides nothing where its height rises along the whole way, for the reference
 //! asks for a height that falls at the start. Balls around the eye and planes hide nothing at
 //! all. About textbook forms nothing is known. A comparison with NaN keeps the primitive.
@@ -25,6 +38,17 @@ use crate::vec3::{Packed, Vec3};
 /// What bounds are widened by, relative; see above.
 const MARGIN: f64 = 1e-5;
 
+/// How far away a cone holds, in distances of its ball from the lamp.
+const REACH: f64 = 1000.0;
+
+/// What the sine of a cone is widened by; see above.
+const SPREAD: f64 = 1.4e-3;
+
+/// Squares of lengths between these are normal numbers of every scalar, also [`REACH`] times the
+/// larger one's.
+const SMALLEST: f64 = 1e-15;
+const LARGEST: f64 = 1e15;
+
 /// The primitives that can stand before a lamp at all.
 pub(crate) struct Occluders<S: Scalar> {
     /// Balls, eight at a time, and their indices; the last eight are filled up with nothing.
@@ -35,6 +59,26 @@ pub(crate) struct Occluders<S: Scalar> {
     of_flats: Vec<u32>,
     /// Those that are always kept.
     textbook: Vec<u32>,
+    /// Of each lamp, one for each ball.
+    cones: Vec<Cone<S>>,
+    /// Of each lamp.
+    reaches: Vec<S>,
+}
+
+/// The directions to a lamp on which a ball may hide it, as unit vectors l: l·axis is not below cos.
+#[derive(Clone, Copy)]
+pub(crate) struct Cone<S: Scalar> {
+    pub(crate) axis: S::Vec3,
+    pub(crate) cos: S,
+}
+
+/// What is known of a lamp.
+#[derive(Clone, Copy)]
+pub(crate) struct Toward<'a, S: Scalar> {
+    /// Of balls, by their number.
+    pub(crate) cones: &'a [Cone<S>],
+    /// How far away the cones hold.
+    pub(crate) reach: S,
 }
 
 /// A primitive that can stand before a lamp.
@@ -47,8 +91,8 @@ pub(crate) enum Occluder<'a, S: Scalar> {
 }
 
 impl<S: Lane> Occluders<S> {
-    /// Of the primitives of these indices.
-    pub(crate) fn new(scene: &Compiled<S>, tried: &[u32]) -> Self {
+    /// Of the primitives of these indices. `bounded`: cones are found out, and not all of space.
+    pub(crate) fn new(scene: &Compiled<S>, tried: &[u32], bounded: bool) -> Self {
         let mut these = Self {
             eights: Vec::new(),
             balls: Vec::new(),
@@ -56,6 +100,8 @@ impl<S: Lane> Occluders<S> {
             flats: Vec::new(),
             of_flats: Vec::new(),
             textbook: Vec::new(),
+            cones: Vec::new(),
+            reaches: Vec::new(),
         };
         for &index in tried {
             match &scene.primitives[index as usize].shape {
@@ -81,7 +127,25 @@ impl<S: Lane> Occluders<S> {
                 Shape::TextbookSphere(_) | Shape::TextbookPlane(_) => these.textbook.push(index),
             }
         }
+        for lamp in &scene.lights {
+            let position = in_f64::<S>(lamp.position);
+            let mut reach = f64::INFINITY;
+            for ball in &these.balls {
+                let (cone, held) =
+                    if bounded { Cone::of(ball, position) } else { (Cone::everywhere(), reach) };
+                these.cones.push(cone);
+                reach = reach.min(held);
+            }
+            these.reaches.push(S::rounded(reach));
+        }
         these
+    }
+
+    /// What is known of the lamp of that number.
+    #[inline(always)]
+    pub(crate) fn toward(&self, lamp: usize) -> Toward<'_, S> {
+        let cones = &self.cones[lamp * self.balls.len()..][..self.balls.len()];
+        Toward { cones, reach: self.reaches[lamp] }
     }
 
     /// How many there can be for one lamp.
@@ -156,6 +220,26 @@ impl<S: Lane> Occluders<S> {
             len += 1;
         }
         len
+    }
+}
+
+impl<S: Scalar> Cone<S> {
+    /// All directions.
+    fn everywhere() -> Self {
+        Self { axis: [S::ZERO; 3].into(), cos: S::ZERO }
+    }
+
+    /// That of a ball, and how far from the lamp it holds.
+    fn of(ball: &Ball<S>, lamp: DVec3) -> (Self, f64) {
+        let to_lamp = lamp - in_f64::<S>(ball.center);
+        let (distance, radius) = (to_lamp.length(), ball.radius.to_f64());
+        let sin = radius / distance + SPREAD;
+        if !(sin < 0.9 && SMALLEST < radius && distance < LARGEST) {
+            return (Self::everywhere(), f64::INFINITY);
+        }
+        let cos = (1.0 - sin * sin).sqrt() - MARGIN;
+        let axis = (to_lamp / distance).to_array().map(S::rounded);
+        (Self { axis: axis.into(), cos: S::rounded(cos) }, REACH * distance)
     }
 }
 

@@ -31,7 +31,7 @@ pub enum Omission {
     /// are not tried on the way to the lamp.
     ///
     /// Robust numerics. The shadow test would be false: `occluders` bounds those ways by a
-    /// capsule, with a margin above all rounding.
+    /// capsule, and from each packet of points by a cone, with margins above all rounding.
     Occluders,
     /// Without a highlight and without a mirror to follow, no mirrored direction is formed, and
     /// without a highlight no power.
@@ -313,7 +313,7 @@ pub(crate) fn occluders_of<S: Lane>(scene: &Compiled<S>, lamp: usize, receiver: 
         _ => (DVec3::ZERO, f64::INFINITY),
     };
     // Balls inside others too: to find them takes all pairs of balls, and here one pair is asked for.
-    let occluders = Occluders::new(scene, &nested::all(scene));
+    let occluders = Occluders::new(scene, &nested::all(scene), false);
     let mut list = vec![0; occluders.len() + 1];
     let left = u32::try_from(receiver).expect("fewer than 2^32 primitives");
     let position = in_f64::<S>(lamp.position);

@@ -178,7 +178,7 @@ fn bands<S: Lane, O: Output<S>>(
 ) -> Result<Counts, StackFull> {
     let budget = Budget::new(settings.stack_limit);
     let tried = tried(scene, plan);
-    let occluders = Occluders::new(scene, &tried);
+    let occluders = Occluders::new(scene, &tried, plan.omits(Omission::Occluders));
     let sights = Sights::new(scene, tried);
     let hidden: Vec<_> = scene.lights.iter().map(|l| PointLight { hidden: true, ..*l }).collect();
     let band = || Band {

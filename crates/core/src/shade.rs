@@ -1,20 +1,18 @@
 //! Local light, and the mirrored rays that go on, for all rays of a level that met one primitive.
 
-use catoptric_scene::{DepthCount, Numerics, Phong, PointLight, Scalar, Shape};
+use catoptric_scene::{DepthCount, Numerics, Scalar, Shape};
 use glam::DVec3;
 
 use crate::lanes::{LANES, Lane, Lanes, Mask};
+use crate::light::{Lamp, Place, SIDE_BY_SIDE, light};
 use crate::nearest::{Form, Found, Nearest};
-use crate::occluders::Occluder;
 use crate::packet::{NONE, Rays, World};
 use crate::plan::is_unlit;
-use crate::power::power;
 use crate::sight::in_f64;
 use crate::stack::{Owed, Stack};
 use crate::surfaces::{Met, Surfaces};
 use crate::vec3::Vec3;
 use crate::wave::{Mirrored, Wave};
-use crate::{ball, flat, textbook};
 
 /// So many shadow tests are fewer than finding out which of them can be left out costs.
 const WORTH_BOUNDS: usize = 8;
@@ -38,16 +36,7 @@ pub(crate) struct Shading<S> {
     /// Of all lamps, one after another, and where each lamp's end.
     occluders: Vec<u32>,
     ends: Vec<usize>,
-}
-
-/// The lamps, and for each what can stand before it: a part of the list, up to its end.
-#[derive(Clone, Copy)]
-struct Lamps<'a, S: Scalar> {
-    lights: &'a [PointLight<S>],
-    occluders: &'a [u32],
-    ends: &'a [usize],
-    /// Whether highlights are formed.
-    highlight: bool,
+    places: [Place<S>; SIDE_BY_SIDE],
 }
 
 /// What eight rays owe on the return.
@@ -58,20 +47,12 @@ struct Owes<'a, L: Lanes> {
     k: L::Scalar,
 }
 
-/// Where eight rays met a primitive.
-struct Place<L> {
-    point: Vec3<L>,
-    normal: Vec3<L>,
-    /// Where shadow and mirrored rays start.
-    start: Vec3<L>,
-    mirrored: Vec3<L>,
-}
-
 impl<S: Lane> Shading<S> {
     pub(crate) fn new(occluders: usize, lamps: usize) -> Self {
         // One more: a place is written before it is known whether it counts.
         let occluders = vec![0; (occluders + 1) * lamps];
-        Self { surfaces: Surfaces::new(), occluders, ends: vec![0; lamps] }
+        let places = [Place::EMPTY; SIDE_BY_SIDE];
+        Self { surfaces: Surfaces::new(), occluders, ends: vec![0; lamps], places }
     }
 }
 
@@ -105,7 +86,7 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
     let material = &scene.materials[primitive.material as usize];
     let followed = level.followed && material.mirror > L::Scalar::ZERO;
     let highlight = material.specular > L::Scalar::ZERO || !world.omit.directions;
-    let Shading { surfaces, occluders, ends } = shading;
+    let Shading { surfaces, occluders, ends, places } = shading;
     let met = Met { wave: level.wave, nearest: level.nearest, found };
     let hits = surfaces.collect::<L, _>(form, met);
     if hits == 0 {
@@ -128,105 +109,43 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
         *lamp_end = end;
     }
 
-    let lamps = Lamps { lights, occluders, ends, highlight };
-    let mut shadow = 0;
-    for at in surfaces.all() {
-        let (lanes, direction) = match Owed::packet(&at.rays) {
-            Some(packet) => (Mask::every(), level.wave.directions().packet(packet)),
-            None => (Mask::first(at.live), Vec3::from_arrays(&at.direction)),
-        };
-        let (point, normal) = form.surface(Vec3::from_arrays(&at.place), direction);
-        let mut place =
-            Place { point, normal, start: form.start(point, normal), mirrored: direction };
-        if followed || highlight {
-            place.mirrored = mirrored(F::NUMERICS, direction, normal);
-        }
-        let local = local::<L, F>(world, material, &place, lamps, lanes, &mut shadow);
-        if followed {
-            let owes =
-                Owes { local, rays: &at.rays, material: primitive.material, k: material.mirror };
-            go_on::<L, F>(world, index, &place, lanes, owes, level);
-        } else {
-            level.stack.push(local, &at.rays, Owed::END);
-        }
-    }
-    level.count.shadow += shadow;
-}
-
-/// Ambient light plus what each visible lamp adds, in file order.
-///
-/// A lane that a lamp does not reach adds +0, which changes nothing: no colour is -0. Without
-/// a highlight the recursion adds 0 · power, which changes nothing either.
-#[inline(always)]
-fn local<L: Lanes, F: Form<L::Scalar>>(
-    world: World<L::Scalar>,
-    material: &Phong<L::Scalar>,
-    at: &Place<L>,
-    lamps: Lamps<L::Scalar>,
-    lanes: Mask<L>,
-    shadow: &mut u64,
-) -> Vec3<L> {
-    let mut colour = Vec3::splat(material.ambient);
-    let mut start = 0;
-    for (lamp, &end) in lamps.lights.iter().zip(lamps.ends) {
-        let occluders = &lamps.occluders[start..end];
-        start = end;
-        let to_lamp = Vec3::splat(lamp.position) - at.point;
-        let distance = to_lamp.length();
-        let l = to_lamp * (L::constant(1.0) / distance);
-        let facing = at.normal.dot(l);
-        let zero = L::constant(0.0);
-        let faces = facing.gt(zero) & distance.gt(zero);
-        *shadow += (faces & lanes).count();
-        if lamp.hidden || !faces.any() {
-            continue;
-        }
-        let lit = visible::<L, F>(world, at, occluders, l, distance, faces);
-        if !lit.any() {
-            continue;
-        }
-        let mut light = Vec3::splat(material.diffuse) * facing;
-        if lamps.highlight {
-            let highlight = L::splat(material.specular) * power(l.dot(at.mirrored), material.power);
-            light = light + Vec3::all(highlight);
-        }
-        colour = colour + (Vec3::splat(lamp.intensity) * light).keep(lit);
-    }
-    colour
-}
-
-/// The lanes of `faces` between which and a lamp none of `occluders` stands.
-#[inline(always)]
-fn visible<L: Lanes, F: Form<L::Scalar>>(
-    world: World<L::Scalar>,
-    at: &Place<L>,
-    occluders: &[u32],
-    l: Vec3<L>,
-    distance: L,
-    faces: Mask<L>,
-) -> Mask<L> {
-    let mut lit = faces;
-    let rays = Rays { origin: at.start, direction: l };
-    for &number in occluders {
-        let dark = match (F::NUMERICS, world.occluders.get(number)) {
-            (Numerics::Robust, Occluder::Ball(ball)) => ball::occludes(ball, at.start, l, distance),
-            (Numerics::Robust, Occluder::Flat(flat)) => flat::occludes(flat, at.start, l, distance),
-            (Numerics::Textbook, Occluder::Textbook(index)) => {
-                let root = match &world.scene.primitives[index as usize].shape {
-                    Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, &rays),
-                    Shape::TextbookPlane(plane) => textbook::plane_distance(plane, &rays),
-                    _ => unreachable!("a scene's forms are all of its numerics"),
-                };
-                root.met & root.t.lt(distance)
+    let ambient = Vec3::<L>::splat(material.ambient);
+    for surfaces in surfaces.all().chunks(SIDE_BY_SIDE) {
+        let places = &mut places[..surfaces.len()];
+        for (at, to) in surfaces.iter().zip(&mut *places) {
+            let (live, direction) = match Owed::packet(&at.rays) {
+                Some(packet) => (LANES as u32, level.wave.directions().packet(packet)),
+                None => (at.live, Vec3::from_arrays(&at.direction)),
+            };
+            let (point, normal) = form.surface(Vec3::<L>::from_arrays(&at.place), direction);
+            (to.point, to.normal) = (point.to_arrays(), normal.to_arrays());
+            if followed || highlight {
+                to.mirrored = mirrored(F::NUMERICS, direction, normal).to_arrays();
             }
-            _ => unreachable!("a scene's forms are all of its numerics"),
-        };
-        lit = lit.without(dark);
-        if !lit.any() {
-            break;
+            (to.colour, to.live) = (ambient.to_arrays(), live);
+        }
+        let mut start = 0;
+        for (number, (lamp, &end)) in lights.iter().zip(&*ends).enumerate() {
+            let occluders = &occluders[start..end];
+            start = end;
+            let lamp = Lamp { lamp, toward: world.occluders.toward(number), occluders };
+            level.count.shadow += light::<L, F>(form, world, material, highlight, lamp, places);
+        }
+        for (at, place) in surfaces.iter().zip(&*places) {
+            let local = Vec3::<L>::from_arrays(&place.colour);
+            if followed {
+                let owes = Owes {
+                    local,
+                    rays: &at.rays,
+                    material: primitive.material,
+                    k: material.mirror,
+                };
+                go_on::<L, F>(form, world, index, place, owes, level);
+            } else {
+                level.stack.push(local, &at.rays, Owed::END);
+            }
         }
     }
-    lit
 }
 
 /// d - 2 (d·n) n; robust: made a unit vector again by one Newton step.
@@ -244,10 +163,10 @@ fn mirrored<L: Lanes>(numerics: Numerics, d: Vec3<L>, n: Vec3<L>) -> Vec3<L> {
 /// Without a cut every weight passes, and weights are not even formed.
 #[inline(always)]
 fn go_on<L: Lanes, F: Form<L::Scalar>>(
+    form: F,
     world: World<L::Scalar>,
     index: u32,
-    at: &Place<L>,
-    lanes: Mask<L>,
+    at: &Place<L::Scalar>,
     owes: Owes<L>,
     level: &mut Level<L::Scalar>,
 ) {
@@ -255,8 +174,10 @@ fn go_on<L: Lanes, F: Form<L::Scalar>>(
         Numerics::Robust => index,
         Numerics::Textbook => NONE,
     };
-    let rays_on = Rays { origin: at.start, direction: at.mirrored };
+    let start = form.start(Vec3::from_arrays(&at.point), Vec3::from_arrays(&at.normal));
+    let rays_on = Rays { origin: start, direction: Vec3::from_arrays(&at.mirrored) };
     let mut next = Mirrored { rays: rays_on, weight: None, left };
+    let lanes = Mask::first(at.live);
     let mut goes_on = lanes;
     if level.cut {
         let weight = match Owed::packet(owes.rays) {

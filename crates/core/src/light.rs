@@ -1,0 +1,177 @@
+//! The light that lamps send back from places on one primitive.
+//!
+//! Places are lit side by side: a step is taken for all of them before the next step. No step
+//! waits for the root and the quotient of its own place then, and all that depends on the lamp or
+//! on an occluder is a scalar for all places.
+
+use catoptric_scene::{Numerics, Phong, PointLight, Scalar, Shape};
+
+use crate::lanes::{LANES, Lane, Lanes, Mask};
+use crate::nearest::Form;
+use crate::occluders::{Occluder, Toward};
+use crate::packet::{Rays, World};
+use crate::power::power;
+use crate::vec3::{Packed, Vec3};
+use crate::{ball, flat, textbook};
+
+/// So many packets of places are lit side by side. They stay in the nearest cache.
+pub(crate) const SIDE_BY_SIDE: usize = 16;
+
+/// Eight places on a primitive.
+#[derive(Clone, Copy)]
+#[repr(C, align(32))]
+pub(crate) struct Place<S> {
+    pub(crate) point: Packed<S>,
+    pub(crate) normal: Packed<S>,
+    /// Where rays that come there go on to; left out where nothing asks for it.
+    pub(crate) mirrored: Packed<S>,
+    /// The light so far.
+    pub(crate) colour: Packed<S>,
+    /// Lanes with a ray: so many, the first ones.
+    pub(crate) live: u32,
+    way: Way<S>,
+}
+
+/// From eight places to a lamp.
+#[derive(Clone, Copy)]
+#[repr(C, align(32))]
+struct Way<S> {
+    /// Unit vectors.
+    l: Packed<S>,
+    distance: [S; LANES],
+    /// n·l.
+    facing: [S; LANES],
+    /// All ones where the lamp is seen, as far as is known.
+    lit: [S; LANES],
+}
+
+/// A lamp, and what may stand before it.
+#[derive(Clone, Copy)]
+pub(crate) struct Lamp<'a, S: Scalar> {
+    pub(crate) lamp: &'a PointLight<S>,
+    pub(crate) toward: Toward<'a, S>,
+    /// Numbers of occluders.
+    pub(crate) occluders: &'a [u32],
+}
+
+impl<S: Lane> Place<S> {
+    pub(crate) const EMPTY: Self = {
+        let (one, three) = ([S::ZERO; LANES], [[S::ZERO; LANES]; 3]);
+        let way = Way { l: three, distance: one, facing: one, lit: one };
+        Self { point: three, normal: three, mirrored: three, colour: three, live: 0, way }
+    };
+
+    /// Points, and unit vectors and distances to the lamp.
+    #[inline(always)]
+    fn way<L: Lanes<Scalar = S>>(&self) -> (Vec3<L>, Vec3<L>, L) {
+        let (point, l) = (Vec3::from_arrays(&self.point), Vec3::from_arrays(&self.way.l));
+        (point, l, L::from_array(self.way.distance))
+    }
+
+    #[inline(always)]
+    fn darken<L: Lanes<Scalar = S>>(&mut self, dark: Mask<L>) {
+        self.way.lit = Mask::<L>::from_array(self.way.lit).without(dark).to_array();
+    }
+}
+
+/// Adds what a lamp sends back; how many rays were sent to it.
+///
+/// A lane that the lamp does not reach adds +0, which changes nothing: no colour is -0. Without
+/// a highlight the recursion adds 0 · power, which changes nothing either.
+#[inline(always)]
+pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
+    form: F,
+    world: World<L::Scalar>,
+    material: &Phong<L::Scalar>,
+    highlight: bool,
+    lamp: Lamp<L::Scalar>,
+    places: &mut [Place<L::Scalar>],
+) -> u64 {
+    let Lamp { lamp, toward, occluders } = lamp;
+    let mut rays = 0;
+    let mut far = 0;
+    for at in places.iter_mut().rev() {
+        let to_lamp = Vec3::splat(lamp.position) - Vec3::<L>::from_arrays(&at.point);
+        let distance = to_lamp.length();
+        let l = to_lamp * (L::constant(1.0) / distance);
+        let facing = Vec3::from_arrays(&at.normal).dot(l);
+        let zero = L::constant(0.0);
+        let faces = facing.gt(zero) & distance.gt(zero);
+        rays += u64::from((faces.bits() & ((1 << at.live) - 1)).count_ones());
+        far = far * 2 + u32::from(faces.without(distance.lt(L::splat(toward.reach))).any());
+        at.way = Way {
+            l: l.to_arrays(),
+            distance: distance.to_array(),
+            facing: facing.to_array(),
+            lit: faces.to_array(),
+        };
+    }
+    if lamp.hidden {
+        return rays;
+    }
+    for &number in occluders {
+        match (F::NUMERICS, world.occluders.get(number)) {
+            (Numerics::Robust, Occluder::Ball(ball)) => {
+                let mut rest = far | toward.reached::<L>(number, places);
+                while rest != 0 {
+                    let at = &mut places[rest.trailing_zeros() as usize % SIDE_BY_SIDE];
+                    rest &= rest - 1;
+                    let (point, l, distance) = at.way();
+                    at.darken(ball::occludes::<L>(ball, point, l, distance));
+                }
+            }
+            (Numerics::Robust, Occluder::Flat(flat)) => {
+                for at in &mut *places {
+                    let (point, l, distance) = at.way();
+                    at.darken(flat::occludes::<L>(flat, point, l, distance));
+                }
+            }
+            (Numerics::Textbook, Occluder::Textbook(index)) => {
+                for at in &mut *places {
+                    let (point, l, distance) = at.way::<L>();
+                    let start = form.start(point, Vec3::from_arrays(&at.normal));
+                    let rays = Rays { origin: start, direction: l };
+                    let root = match &world.scene.primitives[index as usize].shape {
+                        Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, &rays),
+                        Shape::TextbookPlane(plane) => textbook::plane_distance(plane, &rays),
+                        _ => unreachable!("a scene's forms are all of its numerics"),
+                    };
+                    at.darken(root.met & root.t.lt(distance));
+                }
+            }
+            _ => unreachable!("a scene's forms are all of its numerics"),
+        }
+    }
+    for at in places {
+        let lit = Mask::<L>::from_array(at.way.lit);
+        if !lit.any() {
+            continue;
+        }
+        let mut light = Vec3::splat(material.diffuse) * L::from_array(at.way.facing);
+        if highlight {
+            let shine = Vec3::<L>::from_arrays(&at.way.l).dot(Vec3::from_arrays(&at.mirrored));
+            let highlight = L::splat(material.specular) * power(shine, material.power);
+            light = light + Vec3::all(highlight);
+        }
+        let sent = (Vec3::splat(lamp.intensity) * light).keep(lit);
+        at.colour = (Vec3::from_arrays(&at.colour) + sent).to_arrays();
+    }
+    rays
+}
+
+impl<S: Lane> Toward<'_, S> {
+    /// Among which places a ball may hide the lamp, place i as bit i; from no others does it. Of
+    /// places within reach.
+    #[inline(always)]
+    fn reached<L: Lanes<Scalar = S>>(&self, number: u32, places: &[Place<S>]) -> u32 {
+        let cone = &self.cones[number as usize];
+        let (axis, cos) = (Vec3::<L>::splat(cone.axis), L::splat(cone.cos));
+        let mut reached = 0;
+        for at in places.iter().rev() {
+            let outside = Vec3::from_arrays(&at.way.l).dot(axis).lt(cos);
+            let lit = Mask::<L>::from_array(at.way.lit);
+            reached = reached * 2 + u32::from(lit.without(outside).any());
+        }
+        reached
+    }
+}
