@@ -69,8 +69,13 @@ impl<S: Lane> Place<S> {
     }
 
     #[inline(always)]
+    fn lit<L: Lanes<Scalar = S>>(&self) -> Mask<L> {
+        Mask::from_array(self.way.lit)
+    }
+
+    #[inline(always)]
     fn darken<L: Lanes<Scalar = S>>(&mut self, dark: Mask<L>) {
-        self.way.lit = Mask::<L>::from_array(self.way.lit).without(dark).to_array();
+        self.way.lit = self.lit::<L>().without(dark).to_array();
     }
 }
 
@@ -109,41 +114,12 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
     if lamp.hidden {
         return rays;
     }
-    for &number in occluders {
-        match (F::NUMERICS, world.occluders.get(number)) {
-            (Numerics::Robust, Occluder::Ball(ball)) => {
-                let mut rest = far | toward.reached::<L>(number, places);
-                while rest != 0 {
-                    let at = &mut places[rest.trailing_zeros() as usize % SIDE_BY_SIDE];
-                    rest &= rest - 1;
-                    let (point, l, distance) = at.way();
-                    at.darken(ball::occludes::<L>(ball, point, l, distance));
-                }
-            }
-            (Numerics::Robust, Occluder::Flat(flat)) => {
-                for at in &mut *places {
-                    let (point, l, distance) = at.way();
-                    at.darken(flat::occludes::<L>(flat, point, l, distance));
-                }
-            }
-            (Numerics::Textbook, Occluder::Textbook(index)) => {
-                for at in &mut *places {
-                    let (point, l, distance) = at.way::<L>();
-                    let start = form.start(point, Vec3::from_arrays(&at.normal));
-                    let rays = Rays { origin: start, direction: l };
-                    let root = match &world.scene.primitives[index as usize].shape {
-                        Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, &rays),
-                        Shape::TextbookPlane(plane) => textbook::plane_distance(plane, &rays),
-                        _ => unreachable!("a scene's forms are all of its numerics"),
-                    };
-                    at.darken(root.met & root.t.lt(distance));
-                }
-            }
-            _ => unreachable!("a scene's forms are all of its numerics"),
-        }
+    match F::NUMERICS {
+        Numerics::Robust => robust_shadows::<L>(world, far, toward, occluders, places),
+        Numerics::Textbook => textbook_shadows::<L, F>(form, world, occluders, places),
     }
     for at in places {
-        let lit = Mask::<L>::from_array(at.way.lit);
+        let lit = at.lit::<L>();
         if !lit.any() {
             continue;
         }
@@ -159,6 +135,68 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
     rays
 }
 
+/// Shadows of balls and large spheres, one after another. `far`: the places beyond the lamp's reach.
+#[inline(always)]
+fn robust_shadows<L: Lanes>(
+    world: World<L::Scalar>,
+    far: u32,
+    toward: Toward<L::Scalar>,
+    occluders: &[u32],
+    places: &mut [Place<L::Scalar>],
+) {
+    for &number in occluders {
+        match world.occluders.get(number) {
+            Occluder::Ball(ball) => {
+                let mut rest = far | toward.reached::<L>(number, places);
+                while rest != 0 {
+                    let at = &mut places[rest.trailing_zeros() as usize % SIDE_BY_SIDE];
+                    rest &= rest - 1;
+                    let (point, l, distance) = at.way();
+                    at.darken(ball::occludes::<L>(ball, point, l, distance));
+                }
+            }
+            Occluder::Flat(flat) => {
+                for at in &mut *places {
+                    let (point, l, distance) = at.way();
+                    at.darken(flat::occludes::<L>(flat, point, l, distance));
+                }
+            }
+            Occluder::Textbook(_) => unreachable!("a scene's forms are all of its numerics"),
+        }
+    }
+}
+
+/// Place by place: the roots cost more than to find out whether a place is dark already.
+#[inline(always)]
+fn textbook_shadows<L: Lanes, F: Form<L::Scalar>>(
+    form: F,
+    world: World<L::Scalar>,
+    occluders: &[u32],
+    places: &mut [Place<L::Scalar>],
+) {
+    for at in places {
+        let (point, l, distance) = at.way::<L>();
+        let start = form.start(point, Vec3::from_arrays(&at.normal));
+        let rays = Rays { origin: start, direction: l };
+        let mut lit = at.lit::<L>();
+        for &number in occluders {
+            if !lit.any() {
+                break;
+            }
+            let Occluder::Textbook(index) = world.occluders.get(number) else {
+                unreachable!("a scene's forms are all of its numerics");
+            };
+            let root = match &world.scene.primitives[index as usize].shape {
+                Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, &rays),
+                Shape::TextbookPlane(plane) => textbook::plane_distance(plane, &rays),
+                _ => unreachable!("a scene's forms are all of its numerics"),
+            };
+            lit = lit.without(root.met & root.t.lt(distance));
+        }
+        at.way.lit = lit.to_array();
+    }
+}
+
 impl<S: Lane> Toward<'_, S> {
     /// Among which places a ball may hide the lamp, place i as bit i; from no others does it. Of
     /// places within reach.
@@ -169,7 +207,7 @@ impl<S: Lane> Toward<'_, S> {
         let mut reached = 0;
         for at in places.iter().rev() {
             let outside = Vec3::from_arrays(&at.way.l).dot(axis).lt(cos);
-            let lit = Mask::<L>::from_array(at.way.lit);
+            let lit = at.lit::<L>();
             reached = reached * 2 + u32::from(lit.without(outside).any());
         }
         reached
