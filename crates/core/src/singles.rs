@@ -45,10 +45,21 @@ impl Singles {
         for slot in &mut slots {
             *slot += (packet * LANES) as Slot;
         }
-        if let Some(to) = self.slots[self.len..].first_chunk_mut() {
+        self.put(slots);
+        self.len += lanes.count_ones() as usize;
+    }
+
+    /// Lanes of the last group without a ray repeat its first.
+    #[inline(always)]
+    pub(crate) fn fill_up(&mut self) {
+        self.put([self.slots[self.len / LANES * LANES % RAYS]; LANES]);
+    }
+
+    #[inline(always)]
+    fn put(&mut self, slots: [Slot; LANES]) {
+        if let Some(to) = self.slots[self.len % RAYS..].first_chunk_mut() {
             *to = slots;
         }
-        self.len += lanes.count_ones() as usize;
     }
 
     /// How many groups of eight they make, the last one perhaps of fewer.
@@ -60,11 +71,8 @@ impl Singles {
     /// The slots of a group, and how many they are; the others repeat the first.
     #[inline(always)]
     pub(crate) fn group(&self, group: usize) -> ([Slot; LANES], usize) {
-        let slots = &self.slots[group * LANES..];
-        let mut slots = slots.first_chunk().copied().unwrap_or_default();
-        let live = LANES.min(self.len - group * LANES);
-        let first = slots[0];
-        slots[live..].fill(first);
-        (slots, live)
+        let slots = &self.slots[group * LANES % RAYS..];
+        let slots = slots.first_chunk().copied().unwrap_or_default();
+        (slots, LANES.min(self.len - group * LANES))
     }
 }

@@ -95,6 +95,7 @@ impl<S: Lane> Surfaces<S> {
             let rays = met.wave.rays(packet);
             at.fill::<L, F>(form, &rays, met.nearest.distance.packet(packet), &mut bounds);
         }
+        self.singles.fill_up();
         for group in 0..self.singles.groups() {
             let Some(at) = list.next() else { break };
             len += 1;
