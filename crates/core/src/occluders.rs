@@ -59,7 +59,7 @@ pub(crate) struct Occluders<S: Scalar> {
     of_flats: Vec<u32>,
     /// Those that are always kept.
     textbook: Vec<u32>,
-    /// Of each lamp, one for each ball.
+    /// Of each lamp, one for each ball: 16 bytes in f32.
     cones: Vec<Cone<S>>,
     /// Of each lamp.
     reaches: Vec<S>,

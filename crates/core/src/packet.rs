@@ -17,8 +17,9 @@
 //!    without a ray does over again what another one does.
 //! 2. All rays of a tile go side by side, level by level: those of one depth are a wave
 //!    (`wave`). No ray knows of another, so their order is free. What a wave met is taken
-//!    primitive by primitive (`surfaces`), so that all that depends on the primitive is a scalar when its rays
-//!    are shaded, as it is in the recursion; and the rays that go on are packed anew.
+//!    primitive by primitive (`surfaces`) and lit lamp by lamp (`light`), so that all that depends on
+//!    the primitive, the lamp or what stands before it is a scalar, as it is in the recursion; and
+//!    the rays that go on are packed anew.
 //! 3. The call becomes a loop. On the way down every level leaves behind what it owes on the
 //!    return: for each ray that met something the local light, whose it is and k (`stack`).
 //! 4. The return becomes a second loop that folds back, colour = local + k · colour, from the
