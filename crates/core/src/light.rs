@@ -14,8 +14,11 @@ use crate::power::power;
 use crate::vec3::{Packed, Vec3};
 use crate::{ball, flat, textbook};
 
-/// So many packets of places are lit side by side. They stay in the nearest cache.
+/// So many packets of places are lit side by side, each a bit of a u32. They stay in the nearest
+/// cache.
 pub(crate) const SIDE_BY_SIDE: usize = 16;
+
+const _: () = assert!(SIDE_BY_SIDE <= u32::BITS as usize);
 
 /// Eight places on a primitive.
 #[derive(Clone, Copy)]

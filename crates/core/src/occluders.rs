@@ -91,7 +91,7 @@ pub(crate) enum Occluder<'a, S: Scalar> {
 }
 
 impl<S: Lane> Occluders<S> {
-    /// Of the primitives of these indices. `bounded`: cones are found out, and not all of space.
+    /// Of the primitives of these indices. Unless `bounded`, cones are all directions.
     pub(crate) fn new(scene: &Compiled<S>, tried: &[u32], bounded: bool) -> Self {
         let mut these = Self {
             eights: Vec::new(),

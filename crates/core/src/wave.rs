@@ -165,7 +165,7 @@ impl<S: Lane> Wave<S> {
         self.len += 1;
     }
 
-    /// The first packet begins no run anew.
+    /// Ends the run of the packets so far, if there are any.
     #[inline(always)]
     fn end_run(&mut self) {
         self.runs[self.runs_len % PACKETS] = Run { left: self.left_last, end: self.len as u32 };
