@@ -28,7 +28,7 @@
 //! asks for a height that falls at the start. Balls around the eye and planes hide nothing at
 //! all. About textbook forms nothing is known. A comparison with NaN keeps the primitive.
 
-use catoptric_scene::{Ball, Compiled, Flat, Scalar, Shape};
+use catoptric_scene::{Ball, Compiled, Flat, PointLight, Scalar, Shape};
 use glam::DVec3;
 
 use crate::lanes::{LANES, Lane, Lanes};
@@ -91,8 +91,8 @@ pub(crate) enum Occluder<'a, S: Scalar> {
 }
 
 impl<S: Lane> Occluders<S> {
-    /// Of the primitives of these indices. Unless `bounded`, cones are all directions.
-    pub(crate) fn new(scene: &Compiled<S>, tried: &[u32], bounded: bool) -> Self {
+    /// Of the primitives of these indices, without cones.
+    pub(crate) fn new(scene: &Compiled<S>, tried: &[u32]) -> Self {
         let mut these = Self {
             eights: Vec::new(),
             balls: Vec::new(),
@@ -127,18 +127,23 @@ impl<S: Lane> Occluders<S> {
                 Shape::TextbookSphere(_) | Shape::TextbookPlane(_) => these.textbook.push(index),
             }
         }
-        for lamp in &scene.lights {
+        these
+    }
+
+    /// With cones, as shadows are found by. Unless `bounded`, they are all directions.
+    pub(crate) fn with_cones(mut self, lights: &[PointLight<S>], bounded: bool) -> Self {
+        for lamp in lights {
             let position = in_f64::<S>(lamp.position);
             let mut reach = f64::INFINITY;
-            for ball in &these.balls {
+            for ball in &self.balls {
                 let (cone, held) =
                     if bounded { Cone::of(ball, position) } else { (Cone::everywhere(), reach) };
-                these.cones.push(cone);
+                self.cones.push(cone);
                 reach = reach.min(held);
             }
-            these.reaches.push(S::rounded(reach));
+            self.reaches.push(S::rounded(reach));
         }
-        these
+        self
     }
 
     /// What is known of the lamp of that number.

@@ -313,7 +313,7 @@ pub(crate) fn occluders_of<S: Lane>(scene: &Compiled<S>, lamp: usize, receiver: 
         _ => (DVec3::ZERO, f64::INFINITY),
     };
     // Balls inside others too: to find them takes all pairs of balls, and here one pair is asked for.
-    let occluders = Occluders::new(scene, &nested::all(scene), false);
+    let occluders = Occluders::new(scene, &nested::all(scene));
     let mut list = vec![0; occluders.len() + 1];
     let left = u32::try_from(receiver).expect("fewer than 2^32 primitives");
     let position = in_f64::<S>(lamp.position);
