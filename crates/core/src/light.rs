@@ -117,9 +117,10 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
     if lamp.hidden {
         return rays;
     }
-    match F::NUMERICS {
-        Numerics::Robust => robust_shadows::<L>(world, far, toward, occluders, places),
-        Numerics::Textbook => textbook_shadows::<L, F>(form, world, occluders, places),
+    if F::NUMERICS == Numerics::Robust && world.omit.occluders {
+        shadows_side_by_side::<L>(world, far, toward, occluders, places);
+    } else {
+        shadows_in_turn::<L, F>(form, world, occluders, places);
     }
     for at in places {
         let lit = at.lit::<L>();
@@ -140,7 +141,7 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
 
 /// Shadows of balls and large spheres, one after another. `far`: the places beyond the lamp's reach.
 #[inline(always)]
-fn robust_shadows<L: Lanes>(
+fn shadows_side_by_side<L: Lanes>(
     world: World<L::Scalar>,
     far: u32,
     toward: Toward<L::Scalar>,
@@ -169,9 +170,10 @@ fn robust_shadows<L: Lanes>(
     }
 }
 
-/// Place by place: the roots cost more than to find out whether a place is dark already.
+/// Place by place, until a place is dark. Textbook roots cost more than to find that out, and so do
+/// occluders none of which is left out.
 #[inline(always)]
-fn textbook_shadows<L: Lanes, F: Form<L::Scalar>>(
+fn shadows_in_turn<L: Lanes, F: Form<L::Scalar>>(
     form: F,
     world: World<L::Scalar>,
     occluders: &[u32],
@@ -186,15 +188,24 @@ fn textbook_shadows<L: Lanes, F: Form<L::Scalar>>(
             if !lit.any() {
                 break;
             }
-            let Occluder::Textbook(index) = world.occluders.get(number) else {
-                unreachable!("a scene's forms are all of its numerics");
-            };
-            let root = match &world.scene.primitives[index as usize].shape {
-                Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, &rays),
-                Shape::TextbookPlane(plane) => textbook::plane_distance(plane, &rays),
+            let dark = match (F::NUMERICS, world.occluders.get(number)) {
+                (Numerics::Robust, Occluder::Ball(ball)) => {
+                    ball::occludes(ball, start, l, distance)
+                }
+                (Numerics::Robust, Occluder::Flat(flat)) => {
+                    flat::occludes(flat, start, l, distance)
+                }
+                (Numerics::Textbook, Occluder::Textbook(index)) => {
+                    let root = match &world.scene.primitives[index as usize].shape {
+                        Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, &rays),
+                        Shape::TextbookPlane(plane) => textbook::plane_distance(plane, &rays),
+                        _ => unreachable!("a scene's forms are all of its numerics"),
+                    };
+                    root.met & root.t.lt(distance)
+                }
                 _ => unreachable!("a scene's forms are all of its numerics"),
             };
-            lit = lit.without(root.met & root.t.lt(distance));
+            lit = lit.without(dark);
         }
         at.way.lit = lit.to_array();
     }

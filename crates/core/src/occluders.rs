@@ -130,14 +130,13 @@ impl<S: Lane> Occluders<S> {
         these
     }
 
-    /// With cones, as shadows are found by. Unless `bounded`, they are all directions.
-    pub(crate) fn with_cones(mut self, lights: &[PointLight<S>], bounded: bool) -> Self {
+    /// With cones, as shadows are found by.
+    pub(crate) fn with_cones(mut self, lights: &[PointLight<S>]) -> Self {
         for lamp in lights {
             let position = in_f64::<S>(lamp.position);
             let mut reach = f64::INFINITY;
             for ball in &self.balls {
-                let (cone, held) =
-                    if bounded { Cone::of(ball, position) } else { (Cone::everywhere(), reach) };
+                let (cone, held) = Cone::of(ball, position);
                 self.cones.push(cone);
                 reach = reach.min(held);
             }

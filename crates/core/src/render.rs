@@ -178,8 +178,7 @@ fn bands<S: Lane, O: Output<S>>(
 ) -> Result<Counts, StackFull> {
     let budget = Budget::new(settings.stack_limit);
     let tried = tried(scene, plan);
-    let occluders =
-        Occluders::new(scene, &tried).with_cones(&scene.lights, plan.omits(Omission::Occluders));
+    let occluders = Occluders::new(scene, &tried).with_cones(&scene.lights);
     let sights = Sights::new(scene, tried);
     let hidden: Vec<_> = scene.lights.iter().map(|l| PointLight { hidden: true, ..*l }).collect();
     let band = || Band {
