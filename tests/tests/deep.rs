@@ -1,5 +1,7 @@
 //! Deep paths: equal bits as far as the recursion goes, and no recursion in the engine.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use catoptric_core::{Isa, Settings, StackFull};
 use catoptric_reference::DEPTH_ALLOWED;
 use catoptric_scene::{Compiled, Counts, Film, Grid, Numerics, Scene, View};
@@ -70,4 +72,40 @@ fn a_limit_on_the_stack_is_kept() {
     );
     // Shallow paths take nothing from it.
     assert!(render(&closed_room(4, 4, 8), settings(0)).is_ok());
+}
+
+/// The eye at the centre of a perfect mirror: its rays come back and go on for ever, but for those
+/// that a dull ball stops, in all bands of rows but the first.
+#[test]
+fn once_a_stack_is_full_no_further_band_is_traced() {
+    let mut draft = scenes::named("closed-room");
+    draft.camera.position = [0.0; 3];
+    draft.camera.look_at = [0.0, 0.0, -1.0];
+    draft.spheres.truncate(2);
+    let [room, dull] = &mut draft.spheres[..] else { panic!("two spheres") };
+    (room.center, room.material.reflect) = ([0.0; 3], Some(1.0));
+    (dull.center, dull.radius, dull.material.reflect) = ([0.0, -0.77, -4.94], 2.7, Some(0.0));
+    let traced = |max_depth, stack_limit| {
+        let scene = scenes::sized(&draft, 32, 64, max_depth);
+        let grid = Grid::new(&View::whole(&scene));
+        let mut film = Film::new(grid.width, grid.height);
+        let settings = Settings { isa: Isa::detected(), stack_limit };
+        let pixels = AtomicU64::new(0);
+        // One thread takes the bands from the top down.
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+        let done = pool.install(|| {
+            catoptric_core::render(&Compiled::new(&scene), &grid, &mut film, settings, &|more| {
+                pixels.fetch_add(more, Ordering::Relaxed);
+            })
+        });
+        (done, pixels.into_inner())
+    };
+    let (counts, pixels) = traced(2, 0);
+    let counts = counts.expect("shallow paths take nothing from the limit");
+    let reflected = counts.depths[2].rays;
+    assert!(0 < reflected && reflected < 32 * 16, "rays of the first band alone go on");
+    assert_eq!(pixels, 32 * 64);
+    let (counts, pixels) = traced(u32::MAX, 1 << 20);
+    assert_eq!(counts, Err(StackFull { limit: 1 << 20 }));
+    assert_eq!(pixels, 0, "pixels traced though the picture was lost");
 }
