@@ -70,8 +70,13 @@ fn a_limit_on_the_stack_is_kept() {
         Err(StackFull { limit: 1 << 20 }),
         "a closed room at the largest depth needs 550 GB"
     );
-    // Shallow paths take nothing from it.
-    assert!(render(&closed_room(4, 4, 8), settings(0)).is_ok());
+    // Shallow paths take nothing from it, also where some rays of a packet end by their weight.
+    let mut cut = scenes::named("closed-room");
+    cut.render.min_weight = 0.2;
+    for depth in 0..16 {
+        assert!(render(&closed_room(70, 40, depth), settings(0)).is_ok(), "{depth}");
+        assert!(render(&scenes::sized(&cut, 70, 40, depth), settings(0)).is_ok(), "{depth}");
+    }
 }
 
 /// The eye at the centre of a perfect mirror: its rays come back and go on for ever, but for those

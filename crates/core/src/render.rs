@@ -191,7 +191,7 @@ fn bands<S: Lane, O: Output<S>>(
         occluders: &occluders,
         hidden: &hidden,
         work: Work::new(scene, occluders.len()),
-        stack: Stack::new(&budget),
+        stack: Stack::new(&budget, plan.depth),
         eye: Vec::new(),
     };
     let counts = pixels

@@ -181,15 +181,19 @@ impl Budget {
 }
 
 impl<'a, S: Lane> Stack<'a, S> {
-    /// Levels of a new stack.
+    /// Levels of a new stack, at most.
     const FIRST: usize = 32;
 
-    /// An empty stack. Its first levels, each of a whole tile, are always granted.
-    pub(crate) fn new(budget: &'a Budget) -> Self {
+    /// An empty stack for so many reflections. What its first levels take, each of a whole tile, is
+    /// always granted.
+    pub(crate) fn new(budget: &'a Budget, depth: u32) -> Self {
+        // As `make_room` asks for; a shallow picture does not pay for the others.
+        let levels = Self::FIRST.min(depth.saturating_add(2) as usize);
+        let packets = PACKETS * Self::FIRST.min(2 * (levels - 1));
         Self {
-            packets: vec![Pending::EMPTY; Self::FIRST * PACKETS],
+            packets: vec![Pending::EMPTY; packets],
             len: 0,
-            levels: vec![Level::default(); Self::FIRST],
+            levels: vec![Level::default(); levels],
             depth: 0,
             colours: std::array::from_fn(|_| Box::new(Vectors::zero())),
             budget,

@@ -74,7 +74,8 @@ pub fn watch(
         depth: scene.max_depth,
         omit: Omit { occluders: false, directions: false, shadows: false },
     };
-    let (mut work, mut stack) = (Work::new(scene, occluders.len()), Stack::new(&budget));
+    let (mut work, mut stack) =
+        (Work::new(scene, occluders.len()), Stack::new(&budget, scene.max_depth));
     let cut = scene.min_weight > 0.0;
     let mut watcher = Watcher {
         watch,
