@@ -18,9 +18,19 @@ fn closed_room(width: u32, height: u32, max_depth: u32) -> Scene {
 }
 
 fn render(scene: &Scene, settings: Settings) -> Result<(Film, Counts), StackFull> {
+    render_telling(scene, settings, &|_| ())
+}
+
+/// [`render`], telling `progress` how many pixels were added.
+fn render_telling(
+    scene: &Scene,
+    settings: Settings,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<(Film, Counts), StackFull> {
     let grid = Grid::new(&View::whole(scene));
     let mut film = Film::new(grid.width, grid.height);
-    let counts = catoptric_core::render(&Compiled::new(scene), &grid, &mut film, settings, &|_| ());
+    let counts =
+        catoptric_core::render(&Compiled::new(scene), &grid, &mut film, settings, progress);
     counts.map(|counts| (film, counts))
 }
 
@@ -92,17 +102,16 @@ fn once_a_stack_is_full_no_further_band_is_traced() {
     (dull.center, dull.radius, dull.material.reflect) = ([0.0, -0.77, -4.94], 2.7, Some(0.0));
     let traced = |max_depth, stack_limit| {
         let scene = scenes::sized(&draft, 32, 64, max_depth);
-        let grid = Grid::new(&View::whole(&scene));
-        let mut film = Film::new(grid.width, grid.height);
         let settings = Settings { isa: Isa::detected(), stack_limit };
         let pixels = AtomicU64::new(0);
         // One thread takes the bands from the top down.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
         let done = pool.install(|| {
-            catoptric_core::render(&Compiled::new(&scene), &grid, &mut film, settings, &|more| {
+            render_telling(&scene, settings, &|more| {
                 pixels.fetch_add(more, Ordering::Relaxed);
             })
         });
+        let done = done.map(|(_, counts)| counts);
         (done, pixels.into_inner())
     };
     let (counts, pixels) = traced(2, 0);
