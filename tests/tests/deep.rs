@@ -6,7 +6,8 @@ use catoptric_core::{Isa, Settings, StackFull};
 use catoptric_reference::DEPTH_ALLOWED;
 use catoptric_scene::{Compiled, Counts, Film, Grid, Numerics, Scene, View};
 use catoptric_tests::identity::{assert_identical, backends};
-use catoptric_tests::scenes;
+use catoptric_tests::{crowds, scenes};
+use proptest::prelude::*;
 
 /// The closed room as a perfect mirror, so that no path ends before `max_depth`.
 fn closed_room(width: u32, height: u32, max_depth: u32) -> Scene {
@@ -86,6 +87,20 @@ fn a_limit_on_the_stack_is_kept() {
     for depth in 0..16 {
         assert!(render(&closed_room(70, 40, depth), settings(0)).is_ok(), "{depth}");
         assert!(render(&scenes::sized(&cut, 70, 40, depth), settings(0)).is_ok(), "{depth}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 100, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Whatever a tile's rays meet, shallow paths take nothing from the limit: not where each ray
+    /// meets a primitive of its own, in any mixture of those that end and those that go on.
+    #[test]
+    fn a_stack_begins_with_all_that_shallow_paths_take(
+        scene in crowds::a_sphere_a_pixel((32u32..=64, 16u32..=32), 0u32..=24)
+    ) {
+        let settings = Settings { isa: Isa::detected(), stack_limit: 0 };
+        prop_assert!(render(&scene, settings).is_ok());
     }
 }
 

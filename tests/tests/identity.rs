@@ -7,7 +7,7 @@ use catoptric_scene::{
 use catoptric_tests::identity::{
     Real, assert_identical, backends, check, packet_levels, recursive,
 };
-use catoptric_tests::{generate, scenes};
+use catoptric_tests::{crowds, generate, scenes};
 use proptest::prelude::*;
 
 #[test]
@@ -245,6 +245,37 @@ proptest! {
     /// Several tiles wide, so that bounds on what a tile sees have edges to get wrong.
     #[test]
     fn generated_panoramas(scene in generate::scene(12, (120u32..=260, 1u32..=24))) {
+        same(&scene, 1)?;
+    }
+}
+
+proptest! {
+    // Each of these has hundreds of primitives, so fewer cases take as long.
+    #![proptest_config(ProptestConfig { cases: config().cases.div_ceil(10), ..config() })]
+
+    /// A tile, or a part of one, in which every ray may meet a primitive of its own.
+    #[test]
+    fn generated_spheres_one_a_pixel(
+        scene in crowds::a_sphere_a_pixel((1u32..=32, 1u32..=16), prop_oneof![0u32..4, 4u32..40]),
+        samples in prop_oneof![4 => Just(1u32), 1 => Just(2u32)],
+    ) {
+        same(&scene, samples)?;
+    }
+
+    /// The same in whole tiles, and in several of them.
+    #[test]
+    fn generated_tiles_of_spheres(
+        scene in crowds::a_sphere_a_pixel((32u32..=40, 16u32..=20), 0u32..3)
+    ) {
+        same(&scene, 1)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: config().cases.div_ceil(50), ..config() })]
+
+    #[test]
+    fn generated_thousands(scene in crowds::thousands((1u32..=48, 1u32..=32))) {
         same(&scene, 1)?;
     }
 }

@@ -194,6 +194,12 @@ const FAULTS: &[Fault] = &[
         instead: "[bounds[0].least(point), bounds[1].most(point)]",
     },
     Fault {
+        name: "room for two entries a packet, where each ray may leave one",
+        file: "packet.rs",
+        sound: "stack.make_room(count.rays as usize)",
+        instead: "stack.make_room(2 * packets.len())",
+    },
+    Fault {
         name: "rays of two materials owed to one",
         file: "stack.rs",
         sound: "Self(owed.0 & !Self::FLAG).by(material)",
@@ -329,7 +335,8 @@ fn build(workspace: &Path) -> PathBuf {
     program.unwrap_or_else(|| panic!("the copy does not build:\n{errors}")).into()
 }
 
-/// What the identity tests of a copy with one fault say first, if they find that bits differ.
+/// What the identity tests of a copy with one fault say first, if they find that bits differ or if
+/// the engine itself stops at a broken rule of its own, such as an index out of its range.
 fn run_identity(program: &Path, workspace: &Path, fault: usize) -> Option<String> {
     let mut tests = Command::new(program)
         .args(["identity::", "--nocapture"])
@@ -343,7 +350,10 @@ fn run_identity(program: &Path, workspace: &Path, fault: usize) -> Option<String
         .spawn()
         .expect("the copy's tests can be run");
     let said = BufReader::new(tests.stderr.take().expect("a pipe")).lines();
-    let differs = said.map_while(Result::ok).find(|line| line.contains(" differs, Backend"));
+    let caught = [" differs, Backend", "panicked at crates/core/src/"];
+    let differs = said
+        .map_while(Result::ok)
+        .find(|line| caught.iter().any(|what| line.contains(what)));
     if differs.is_some() {
         tests.kill().expect("the tests can be stopped");
     }

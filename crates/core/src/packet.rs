@@ -185,13 +185,14 @@ fn level<L: Lanes>(
     work: &mut Work<L::Scalar>,
     stack: &mut Stack<L::Scalar>,
 ) -> Result<usize, TooDeep> {
-    if !stack.make_room(packets.len()) {
-        return Err(TooDeep);
-    }
     let depth = stack.depth();
     let Ok([wave, next]) = work.waves.get_disjoint_mut([wave_of(depth), wave_of(depth + 1)]) else {
         unreachable!("two waves");
     };
+    let count = DepthCount { rays: wave.count(packets.clone()), ..DepthCount::default() };
+    if !stack.make_room(count.rays as usize) {
+        return Err(TooDeep);
+    }
     next.clear();
 
     let Candidates { eye, mirrors } = world.candidates;
@@ -201,7 +202,6 @@ fn level<L: Lanes>(
         nearest::<L, false>(world.scene, mirrors, wave, packets.clone(), &mut work.nearest);
     }
 
-    let count = DepthCount { rays: wave.count(packets.clone()), ..DepthCount::default() };
     if count.rays < (packets.len() * LANES) as u64 {
         // Of mirrored rays, only the last packet has idle lanes.
         let start = if depth == 0 { packets.start } else { packets.end - 1 };

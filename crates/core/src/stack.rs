@@ -150,6 +150,21 @@ struct Level {
     count: DepthCount,
 }
 
+/// Entries of eight rays that a tile leaves on the stack, at most, when its rays have been mirrored
+/// up to `reflections` times and all go side by side.
+///
+/// Each entry holds at least one ray that is in no other entry of its level, so a level pushes at
+/// most as many entries as it has rays: no more, whatever the rays met, whether their mirrors are
+/// followed or not, and wherever a cut by weight parts the rays of an entry. The bound is reached,
+/// where each ray of a tile meets a primitive of its own and ends there.
+///
+/// Of all levels together: a ray ends once, so at most [`RAYS`] entries hold rays that end. The
+/// others hold rays that go on; they are as many as the packets of the next wave, all of them full
+/// but the last: at most [`PACKETS`] a level, and none on the last one.
+const fn room(reflections: usize) -> usize {
+    RAYS + PACKETS * reflections
+}
+
 /// Bytes that the stacks of all threads may take.
 pub(crate) struct Budget {
     pub(crate) limit: usize,
@@ -181,19 +196,19 @@ impl Budget {
 }
 
 impl<'a, S: Lane> Stack<'a, S> {
-    /// Levels of a new stack, at most.
-    const FIRST: usize = 32;
+    /// Reflections that a new stack has room for, at most.
+    const FIRST: usize = 24;
 
-    /// An empty stack for so many reflections. What its first levels take, each of a whole tile, is
-    /// always granted.
+    /// An empty stack for so many reflections.
+    ///
+    /// It holds whatever a tile can leave on its first levels, so these never count against the
+    /// limit: see [`room`]. A shallow picture does not pay for levels that it does not reach.
     pub(crate) fn new(budget: &'a Budget, depth: u32) -> Self {
-        // As `make_room` asks for; a shallow picture does not pay for the others.
-        let levels = Self::FIRST.min(depth.saturating_add(2) as usize);
-        let packets = PACKETS * Self::FIRST.min(2 * (levels - 1));
+        let reflections = Self::FIRST.min(depth as usize);
         Self {
-            packets: vec![Pending::EMPTY; packets],
+            packets: vec![Pending::EMPTY; room(reflections)],
             len: 0,
-            levels: vec![Level::default(); levels],
+            levels: vec![Level::default(); reflections + 2],
             depth: 0,
             colours: std::array::from_fn(|_| Box::new(Vectors::zero())),
             budget,
@@ -207,24 +222,24 @@ impl<'a, S: Lane> Stack<'a, S> {
         self.budget.is_refused()
     }
 
-    /// Makes room for the level in flight, of so many packets, and for one below it; false if the
-    /// limit forbids it. Each packet of rays leaves one here, and its rays that do not fill a packet
-    /// of mirrored ones another.
+    /// Makes room for what the level in flight pushes, and for one level below it; false if the
+    /// limit forbids it. `rays` is how many rays the level has, which is the most that it pushes:
+    /// see [`room`].
     #[inline(always)]
-    pub(crate) fn make_room(&mut self, packets: usize) -> bool {
-        (self.len + 2 * packets <= self.packets.len() && self.depth + 1 < self.levels.len())
-            || self.grow(2 * packets)
+    pub(crate) fn make_room(&mut self, rays: usize) -> bool {
+        (self.len + rays <= self.packets.len() && self.depth + 1 < self.levels.len())
+            || self.grow(rays)
     }
 
-    /// Adds a quarter to what is full, unless this stack or another was refused more. Out of
-    /// line: it holds no lanes.
+    /// Adds a quarter to what is full, or as much as is asked for, unless this stack or another was
+    /// refused more. Out of line: it holds no lanes.
     #[cold]
     #[inline(never)]
-    fn grow(&mut self, packets: usize) -> bool {
-        let full = self.len + packets > self.packets.len();
-        let more_packets = if full { self.packets.len() / 4 } else { 0 };
+    fn grow(&mut self, rays: usize) -> bool {
+        let lacking = (self.len + rays).saturating_sub(self.packets.len());
+        let more_packets = if lacking > 0 { lacking.max(self.packets.len() / 4) } else { 0 };
         let full = self.depth + 1 >= self.levels.len();
-        let more_levels = if full { self.levels.len() / 4 } else { 0 };
+        let more_levels = if full { self.levels.len().div_ceil(4) } else { 0 };
         let bytes = more_packets * size_of::<Pending<S>>() + more_levels * size_of::<Level>();
         let granted = !self.budget.is_refused() && self.budget.take(bytes);
         if granted {
