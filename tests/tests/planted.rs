@@ -142,8 +142,33 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a cone of shadow that its ball stands out of",
         file: "occluders.rs",
-        sound: "radius / distance + SPREAD",
+        sound: "(radius + POINT * lamp.length()) / distance + SPREAD",
         instead: "radius / distance * 0.999",
+    },
+    Fault {
+        name: "bounds on a shadow's way that forget what its start is rounded by",
+        file: "surfaces.rs",
+        sound: "radius + POINT * (center.length() + radius)",
+        instead: "radius",
+    },
+    Fault {
+        name: "a small surface close to the eye, from afar by the form for its neighbourhood",
+        file: "flat.rs",
+        sound: "far.select(one - across.dot(across), near)",
+        instead: "near",
+    },
+    Fault {
+        name: "a ball's normal from its distance",
+        file: "ball.rs",
+        sound: "rays.direction * f.dot(rays.direction) - f",
+        instead: "rays.direction * (t + (L::splat(self.radius_squared) - { let x = \
+            rays.direction * f.dot(rays.direction) - f; x.dot(x) }).positive().sqrt()) - f",
+    },
+    Fault {
+        name: "a lamp seen from a ball's point as it is rounded",
+        file: "ball.rs",
+        sound: "Vec3::splat(lamp) - Vec3::splat(self.center) - arm",
+        instead: "{ let _ = arm; Vec3::splat(lamp) - _point }",
     },
     Fault {
         name: "a cone of shadow that holds beyond its reach",
@@ -351,9 +376,8 @@ fn run_identity(program: &Path, workspace: &Path, fault: usize) -> Option<String
         .expect("the copy's tests can be run");
     let said = BufReader::new(tests.stderr.take().expect("a pipe")).lines();
     let caught = [" differs, Backend", "panicked at crates/core/src/"];
-    let differs = said
-        .map_while(Result::ok)
-        .find(|line| caught.iter().any(|what| line.contains(what)));
+    let differs =
+        said.map_while(Result::ok).find(|line| caught.iter().any(|what| line.contains(what)));
     if differs.is_some() {
         tests.kill().expect("the tests can be stopped");
     }

@@ -26,11 +26,18 @@ impl<S: Lane> Form<S> for Ball<S> {
         Some(foot.near())
     }
 
+    /// The unit vector from the centre; also for a ball around the eye.
     #[inline(always)]
     fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         let f = Vec3::splat(self.center) - rays.origin;
-        let x = rays.direction * t - f;
-        x * (L::constant(1.0) / x.length())
+        if self.is_around() {
+            let x = rays.direction * t - f;
+            return x * (L::constant(1.0) / x.length());
+        }
+        let x = rays.direction * f.dot(rays.direction) - f;
+        let s = (L::splat(self.radius_squared) - x.dot(x)).positive().sqrt();
+        let n = (x - rays.direction * s) * (L::constant(1.0) / L::splat(self.radius));
+        n * (L::constant(1.5) - L::constant(0.5) * n.dot(n))
     }
 
     /// Of the unit vector from the centre.
@@ -38,6 +45,12 @@ impl<S: Lane> Form<S> for Ball<S> {
     fn surface<L: Lanes<Scalar = S>>(&self, outward: Vec3<L>, _: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
         let point = Vec3::splat(self.center) + outward * L::splat(self.radius);
         (point, outward * L::splat(self.side))
+    }
+
+    #[inline(always)]
+    fn to_lamp<L: Lanes<Scalar = S>>(&self, lamp: S::Vec3, _: Vec3<L>, normal: Vec3<L>) -> Vec3<L> {
+        let arm = normal * (L::splat(self.side) * L::splat(self.radius));
+        Vec3::splat(lamp) - Vec3::splat(self.center) - arm
     }
 }
 

@@ -22,7 +22,7 @@ impl<S: Lane> Form<S> for Flat<S> {
         }
         // Without a root the distance is NaN, which is never nearer.
         let height = height(self, gradient, rays.origin);
-        let discriminant = slope * slope - L::splat(self.curvature) * height;
+        let discriminant = discriminant(self, gradient, slope, height, rays.direction);
         Some(Distance { t: (height / (discriminant.sqrt() - slope)).not_behind(), met })
     }
 
@@ -88,8 +88,29 @@ pub(crate) fn occludes<L: Lanes>(
     if !turns.any() {
         return turns;
     }
-    let discriminant = slope * slope - curvature * height(flat, gradient, point);
+    let height = height(flat, gradient, point);
+    let discriminant = discriminant(flat, gradient, slope, height, l);
     turns & discriminant.ge(L::constant(0.0))
+}
+
+/// Not negative where rays meet the surface, which is not around the eye.
+#[inline(always)]
+fn discriminant<L: Lanes>(
+    flat: &Flat<L::Scalar>,
+    gradient: Vec3<L>,
+    slope: L,
+    height: L,
+    direction: Vec3<L>,
+) -> L {
+    let one = L::constant(1.0);
+    let bend = L::splat(flat.curvature) * height;
+    let near = slope * slope - bend;
+    let far = Mask::every().without(bend.lt(one));
+    if !far.any() {
+        return near;
+    }
+    let across = gradient - direction * slope;
+    far.select(one - across.dot(across), near)
 }
 
 /// N(x).

@@ -99,10 +99,11 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
     let mut rays = 0;
     let mut far = 0;
     for at in places.iter_mut().rev() {
-        let to_lamp = Vec3::splat(lamp.position) - Vec3::<L>::from_arrays(&at.point);
+        let (point, normal) = (Vec3::from_arrays(&at.point), Vec3::from_arrays(&at.normal));
+        let to_lamp: Vec3<L> = form.to_lamp(lamp.position, point, normal);
         let distance = to_lamp.length();
         let l = to_lamp * (L::constant(1.0) / distance);
-        let facing = Vec3::from_arrays(&at.normal).dot(l);
+        let facing = normal.dot(l);
         let zero = L::constant(0.0);
         let faces = facing.gt(zero) & distance.gt(zero);
         rays += u64::from((faces.bits() & ((1 << at.live) - 1)).count_ones());

@@ -97,6 +97,17 @@ pub(crate) trait Form<S: Lane>: Copy {
         direction: Vec3<L>,
     ) -> (Vec3<L>, Vec3<L>);
 
+    /// The ways from points, where normals are known, to a lamp.
+    #[inline(always)]
+    fn to_lamp<L: Lanes<Scalar = S>>(
+        &self,
+        lamp: S::Vec3,
+        point: Vec3<L>,
+        _normal: Vec3<L>,
+    ) -> Vec3<L> {
+        Vec3::splat(lamp) - point
+    }
+
     /// Where rays that leave such a point start.
     #[inline(always)]
     fn start<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _normal: Vec3<L>) -> Vec3<L> {

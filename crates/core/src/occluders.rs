@@ -24,6 +24,13 @@
 //! near the lamp that the square of its distance is not rounded so, and l perhaps no unit vector,
 //! is lit whether tried or not: its foot is within twice its distance, which the ball is far from.
 //!
+//! Both bounds take a way for one that ends in the lamp. From a ball it starts at the rounded point
+//! and goes where the point would lead before it was rounded (`reference::trace::Surface::to`): it
+//! passes the lamp by what the point was rounded by, at most 2u of the way from the eye to the point.
+//! The first bound's R is so much larger than the points ask for. For the second, a point within
+//! 1000 D of the lamp is at most 1000 D further from the eye: the sine is 2u of the lamp's distance
+//! from the eye, over D, more; and 2000u, which fits in what it is widened by.
+//!
 //! A large sphere hides nothing where its height rises along the whole way, for the reference
 //! asks for a height that falls at the start. Balls around the eye and planes hide nothing at
 //! all. About textbook forms nothing is known. A comparison with NaN keeps the primitive.
@@ -43,6 +50,9 @@ const REACH: f64 = 1000.0;
 
 /// What the sine of a cone is widened by; see above.
 const SPREAD: f64 = 1.4e-3;
+
+/// What a point is rounded by, at most, relative to its distance from the eye: above 2u.
+pub(crate) const POINT: f64 = 2e-7;
 
 /// Squares of lengths between these are normal numbers of every scalar, also [`REACH`] times the
 /// larger one's.
@@ -237,7 +247,7 @@ impl<S: Scalar> Cone<S> {
     fn of(ball: &Ball<S>, lamp: DVec3) -> (Self, f64) {
         let to_lamp = lamp - in_f64::<S>(ball.center);
         let (distance, radius) = (to_lamp.length(), ball.radius.to_f64());
-        let sin = radius / distance + SPREAD;
+        let sin = (radius + POINT * lamp.length()) / distance + SPREAD;
         if !(sin < 0.9 && SMALLEST < radius && distance < LARGEST) {
             return (Self::everywhere(), f64::INFINITY);
         }

@@ -39,7 +39,7 @@ use crate::occluders::Occluders;
 use crate::plane::PACKETS;
 use crate::shade::{Level, Shading, shade};
 use crate::stack::Stack;
-use crate::tile;
+use crate::tile::{self, Across};
 use crate::vec3::{Packed, Vec3};
 use crate::watch::Watcher;
 use crate::wave::Wave;
@@ -101,8 +101,8 @@ pub(crate) struct Work<S> {
     pub(crate) waves: [Box<Wave<S>>; 4],
     pub(crate) nearest: Box<Nearest<S>>,
     shading: Shading<S>,
-    /// Of a tile's rays, what depends on the column, and how many lanes are in the picture.
-    pub(crate) across: [(Packed<S>, usize); tile::WIDTH / LANES],
+    /// What of a tile's eye rays depends on the column.
+    pub(crate) across: [Across<S>; tile::WIDTH / LANES],
     /// Sums of samples.
     pub(crate) sums: Box<[Packed<S>; PACKETS]>,
 }
@@ -231,7 +231,7 @@ impl<S: Lane> Work<S> {
             waves: std::array::from_fn(|_| Box::new(Wave::new())),
             nearest: Box::new(Nearest::new(scene.primitives.len())),
             shading: Shading::new(occluders, scene.lights.len()),
-            across: [([[S::ZERO; LANES]; 3], 0); tile::WIDTH / LANES],
+            across: [Across::EMPTY; tile::WIDTH / LANES],
             sums: Box::new([[[S::ZERO; LANES]; 3]; PACKETS]),
         }
     }

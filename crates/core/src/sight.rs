@@ -5,8 +5,8 @@
 //! on it: the candidates are tried in the order of their index, as all primitives would be.
 //!
 //! The bounds are formed in f64 and widened by far more than the f32 rays can be off. With
-//! u = 6e-8, an eye ray's direction is within 8u of the exact one, for each of its three terms
-//! is at most as long as their sum. The vector from a ball's centre to the foot of the
+//! u = 6e-8, an eye ray's direction is within 8u of the exact one, for each of its components is
+//! rounded for itself. The vector from a ball's centre to the foot of the
 //! perpendicular is within 10u |c|, and its square and r^2 within 4u relative; a flat's slope
 //! is within 4u |lean|. In f64 they are off by 2^-29 of that: the same bounds hold all the more.
 
@@ -77,8 +77,9 @@ impl TileCone {
     fn new<S: Scalar>(eye: &EyeRays<S>, columns: &[S], rows: &[S]) -> Option<Self> {
         let ends = |line: &[S]| Some([*line.first()?, *line.last()?].map(S::to_f64));
         let (columns, rows) = (ends(columns)?, ends(rows)?);
-        let [right, up, forward] = [eye.right, eye.up, eye.forward].map(in_f64::<S>);
-        let direction = |x: f64, y: f64| (forward + right * x + up * y).normalize();
+        let [width, height, distance] =
+            [eye.half_width, eye.half_height, eye.distance].map(S::to_f64);
+        let direction = |x: f64, y: f64| DVec3::new(x * width, y * height, -distance).normalize();
         let axis = direction((columns[0] + columns[1]) / 2.0, (rows[0] + rows[1]) / 2.0);
         let mut cos = 1.0;
         for x in columns {

@@ -22,8 +22,11 @@ const LANES_OF: [[Slot; LANES]; 1 << LANES] = {
 };
 
 /// Where single rays stand.
+///
+/// Only packets that did not meet the primitive whole add rays, seven at most each: so there are
+/// always fewer than [`RAYS`], and an index taken modulo that is itself. Eight slots more, for they
+/// are written eight at a time.
 pub(crate) struct Singles {
-    /// Eight more: they are written eight at a time.
     slots: [Slot; RAYS + LANES],
     len: usize,
 }

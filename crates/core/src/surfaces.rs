@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::lanes::{LANES, Lane, Lanes, Mask};
 use crate::nearest::{Form, Found, Nearest};
+use crate::occluders::POINT;
 use crate::packet::Rays;
 use crate::plane::PACKETS;
 use crate::singles::Singles;
@@ -111,7 +112,8 @@ impl<S: Lane> Surfaces<S> {
         hits
     }
 
-    /// Centre, a point of the scalar, and radius of a ball that holds all points.
+    /// Centre, a point of the scalar, and radius of a ball that holds all points, and all that they
+    /// were rounded from.
     #[inline(always)]
     pub(crate) fn bounds(&self) -> (DVec3, f64) {
         let (mut center, mut corner) = (DVec3::ZERO, DVec3::ZERO);
@@ -127,7 +129,8 @@ impl<S: Lane> Surfaces<S> {
             let (below, above) = (center[axis] - least, most - center[axis]);
             corner[axis] = if below > above { below } else { above };
         }
-        (center, corner.length())
+        let radius = corner.length();
+        (center, radius + POINT * (center.length() + radius))
     }
 }
 

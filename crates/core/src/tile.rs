@@ -14,6 +14,20 @@ pub(crate) const WIDTH: usize = 32;
 /// Rows of a tile.
 pub(crate) const HEIGHT: usize = PACKETS * LANES / WIDTH;
 
+/// What the eye rays of eight columns have in common; of one sample a pixel.
+#[derive(Clone, Copy)]
+pub(crate) struct Across<S> {
+    /// Their horizontal component, before they are made unit vectors, and its square.
+    x: [S; LANES],
+    square: [S; LANES],
+    /// How many of the columns are in the picture, the first ones; the others repeat the last.
+    live: usize,
+}
+
+impl<S: Lane> Across<S> {
+    pub(crate) const EMPTY: Self = Self { x: [S::ZERO; LANES], square: [S::ZERO; LANES], live: 0 };
+}
+
 /// The work of one thread at a time.
 pub(crate) struct Tile<'a, 'b, S: Lane> {
     pub(crate) world: World<'a, S>,
@@ -96,7 +110,7 @@ impl<S: Lane> Tile<'_, '_, S> {
     #[inline(always)]
     fn trace<L: Lanes<Scalar = S>>(&mut self, i: usize, j: usize) -> Result<(), TooDeep> {
         let eye = &self.world.scene.eye;
-        let (right, up) = (Vec3::<L>::splat(eye.right), Vec3::splat(eye.up));
+        // Left to right: x and its square depend on the column alone.
         let mut len = 0;
         for (across, columns) in
             self.work.across.iter_mut().zip(self.columns.chunks(LANES * self.samples))
@@ -106,24 +120,22 @@ impl<S: Lane> Tile<'_, '_, S> {
             for (lane, column) in lanes.iter_mut().enumerate() {
                 *column = columns[lane.min(live - 1) * self.samples + i];
             }
-            let at = Vec3::splat(eye.forward) + right * L::from_array(lanes);
-            *across = (at.to_arrays(), live);
+            let x = L::from_array(lanes) * L::splat(eye.half_width);
+            *across = Across { x: x.to_array(), square: (x * x).to_array(), live };
             len += 1;
         }
+        // Top to bottom: y and its square depend on the row alone; z is that of all.
         let Work { waves: [wave, ..], across, .. } = &mut *self.work;
         wave.clear();
+        let z = L::splat(-eye.distance);
         for rows in self.rows.chunks_exact(self.samples) {
-            let up = up * L::splat(rows[j]);
-            for (across, live) in &across[..len] {
-                wave.push_eye(unit(Vec3::from_arrays(across) + up), *live);
+            let y = L::splat(rows[j]) * L::splat(eye.half_height);
+            for Across { x, square, live } in &across[..len] {
+                let length = (L::from_array(*square) + y * y + z * z).sqrt();
+                let d = Vec3 { x: L::from_array(*x), y, z };
+                wave.push_eye(d * (L::constant(1.0) / length), *live);
             }
         }
         trace::<L>(self.world, self.work, self.stack, self.watch.as_deref_mut())
     }
-}
-
-/// The direction of an eye ray, as a unit vector.
-#[inline(always)]
-fn unit<L: Lanes>(d: Vec3<L>) -> Vec3<L> {
-    d * (L::constant(1.0) / d.length())
 }

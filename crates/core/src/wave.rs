@@ -28,9 +28,10 @@ pub(crate) struct Run {
 pub(crate) struct Wave<S> {
     origins: Vectors<S>,
     directions: Vectors<S>,
-    /// The first lanes of a packet hold rays, so many of them; the others hold the first again.
+    /// How many lanes of each packet hold rays, the first ones; the others hold the first ray again.
     live: [u8; PACKETS],
-    /// Of mirrored rays.
+    /// Runs of mirrored rays. Each holds a packet at least, so there are no more than packets, and an
+    /// index taken modulo [`PACKETS`] is itself while the wave is filled.
     runs: [Run; PACKETS],
     runs_len: usize,
     /// What the packets after the last run left.

@@ -33,12 +33,26 @@ pub(crate) fn distance(ball: &Ball<Real>, ray: Ray, own: bool) -> Option<Real> {
 }
 
 /// Where a ray meets it at distance `t`, put back on the sphere.
+///
+/// The normal is formed from the foot of the perpendicular and half the chord, not from `t`: of a
+/// small ball far away, the rounding of the distance may be more than the radius. Its length is 1
+/// up to rounding, so one Newton step makes it a unit vector. A ball around the eye is as large as
+/// the way to it, so that `t` is as good, and takes less.
 pub(crate) fn surface(ball: &Ball<Real>, ray: Ray, t: Real, id: usize) -> Surface {
     let f = ball.center - ray.origin;
-    let x = ray.direction * t - f;
-    let outward = x * (1.0 / x.length());
-    let point = ball.center + outward * ball.radius;
-    Surface { point, normal: outward * ball.side, start: point, left: Some(id) }
+    let outward = if ball.is_around() {
+        let x = ray.direction * t - f;
+        x * (1.0 / x.length())
+    } else {
+        let x = ray.direction * f.dot(ray.direction) - f;
+        let s = positive(ball.radius_squared - x.dot(x)).sqrt();
+        let n = (x - ray.direction * s) * (1.0 / ball.radius);
+        n * (1.5 - 0.5 * n.dot(n))
+    };
+    let arm = outward * ball.radius;
+    let point = ball.center + arm;
+    let normal = outward * ball.side;
+    Surface { point, anchor: ball.center, arm, normal, start: point, left: Some(id) }
 }
 
 /// Whether it stands between a point outside of it and a lamp outside of it, at `distance`

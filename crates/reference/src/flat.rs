@@ -4,6 +4,12 @@
 //! N = curvature·o - lean its gradient at the ray's origin, the ray o + t d meets it where
 //! curvature·t^2 + 2 (N·d) t + 2g(o) = 0. All coefficients are of the size of the scene
 //! around the eye, however large the sphere. A plane is the case of curvature 0.
+//!
+//! A quarter of that equation's discriminant is (N·d)^2 - curvature·2g(o), which is exact where the
+//! ray starts close to the surface and passes it at a small angle. It is also 1 - |N - (N·d) d|^2,
+//! r^2 less the square of the distance at which the ray passes the centre, over r^2, for |N|^2 is 1 +
+//! curvature·2g(o). A sphere that is small against the way to it needs that: |N| is that way over
+//! the radius, and the other form would lose its square.
 
 use catoptric_scene::Flat;
 
@@ -24,7 +30,7 @@ pub(crate) fn distance(flat: &Flat<Real>, ray: Ray, own: bool) -> Option<Real> {
             if slope < 0.0 { height / (root - slope) } else { (root + slope) / -flat.curvature };
         return Some(not_behind(t));
     }
-    let discriminant = slope * slope - flat.curvature * height;
+    let discriminant = discriminant(flat, gradient, height, ray.direction);
     (!own && slope < 0.0 && discriminant >= 0.0)
         .then(|| not_behind(height / (discriminant.sqrt() - slope)))
 }
@@ -40,7 +46,7 @@ pub(crate) fn surface(flat: &Flat<Real>, ray: Ray, t: Real, id: usize) -> Surfac
         point -= gradient * (0.5 * height);
     }
     let normal = point * flat.curvature - flat.lean;
-    Surface { point, normal, start: point, left: Some(id) }
+    Surface { point, anchor: point, arm: Vec3::ZERO, normal, start: point, left: Some(id) }
 }
 
 /// Whether it stands between a point on the eye's side and a lamp on that side, at
@@ -52,8 +58,20 @@ pub(crate) fn surface(flat: &Flat<Real>, ray: Ray, t: Real, id: usize) -> Surfac
 pub(crate) fn occludes(flat: &Flat<Real>, ray: Ray, distance: Real) -> bool {
     let (gradient, height) = gradient_and_height(flat, ray.origin);
     let slope = gradient.dot(ray.direction);
-    let discriminant = slope * slope - flat.curvature * height;
+    let discriminant = discriminant(flat, gradient, height, ray.direction);
     slope < 0.0 && -slope < flat.curvature * distance && discriminant >= 0.0
+}
+
+/// Not negative where a ray in `direction` meets the surface, N and 2g being those of its origin. For
+/// a surface that is not around the eye.
+fn discriminant(flat: &Flat<Real>, gradient: Vec3, height: Real, direction: Vec3) -> Real {
+    let slope = gradient.dot(direction);
+    let bend = flat.curvature * height;
+    if bend < 1.0 {
+        return slope * slope - bend;
+    }
+    let across = gradient - direction * slope;
+    1.0 - across.dot(across)
 }
 
 /// N(x) and 2g(x), the latter as (N(x) - lean)·x + offset.

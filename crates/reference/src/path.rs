@@ -57,7 +57,7 @@ pub fn follow(scene: &Compiled<Real>, mut ray: Ray) -> Vec<Step> {
 impl Tracer<'_> {
     fn lit(&self, at: &Surface) -> Vec<bool> {
         let lit = |position: Vec3, hidden: bool| {
-            let to_lamp = position - at.point;
+            let to_lamp = at.to(position);
             let distance = to_lamp.length();
             let l = to_lamp * (1.0 / distance);
             at.normal.dot(l) > 0.0 && distance > 0.0 && !hidden && !self.occluded(at, l, distance)

@@ -68,7 +68,7 @@ impl Tracer<'_> {
     #[must_use]
     pub fn eye_ray(&self, column: Real, row: Real) -> Ray {
         let eye = &self.scene.eye;
-        let d = eye.forward + eye.right * column + eye.up * row;
+        let d = Vec3::new(column * eye.half_width, row * eye.half_height, -eye.distance);
         Ray { origin: Vec3::ZERO, direction: d * (1.0 / d.length()), left: None }
     }
 }

@@ -6,7 +6,7 @@
 
 use catoptric_scene::{TextbookPlane, TextbookSphere};
 
-use super::real::Real;
+use super::real::{Real, Vec3};
 use super::trace::{Ray, Surface};
 
 /// The workshop's offset, in units of the vector that it multiplies.
@@ -34,7 +34,14 @@ pub(crate) fn sphere_surface(sphere: &TextbookSphere<Real>, ray: Ray, t: Real) -
     let point = ray.origin + ray.direction * t;
     let from_center = point - sphere.center;
     let normal = from_center * (1.0 / from_center.length());
-    Surface { point, normal, start: point + from_center * OFFSET, left: None }
+    Surface {
+        point,
+        anchor: point,
+        arm: Vec3::ZERO,
+        normal,
+        start: point + from_center * OFFSET,
+        left: None,
+    }
 }
 
 /// t = (n·point - n·o)/(n·d), where positive.
@@ -48,5 +55,12 @@ pub(crate) fn plane_surface(plane: &TextbookPlane<Real>, ray: Ray, t: Real) -> S
     let point = ray.origin + ray.direction * t;
     let away = plane.normal.dot(ray.direction) > 0.0;
     let normal = if away { -plane.normal } else { plane.normal };
-    Surface { point, normal, start: point + normal * OFFSET, left: None }
+    Surface {
+        point,
+        anchor: point,
+        arm: Vec3::ZERO,
+        normal,
+        start: point + normal * OFFSET,
+        left: None,
+    }
 }

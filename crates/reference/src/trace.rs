@@ -32,12 +32,30 @@ pub struct Ray {
 pub struct Surface {
     /// The point that is lit.
     pub point: Vec3,
+    /// The point before it was rounded, as a sum: from a ball's centre, along the radius. Elsewhere
+    /// it is the point itself and 0. Lamps are seen from there: see [`Surface::to`].
+    pub anchor: Vec3,
+    /// See `anchor`.
+    pub arm: Vec3,
     /// The unit normal there.
     pub normal: Vec3,
     /// Where shadow and mirrored rays start: the point itself, or the workshop's offset.
     pub start: Vec3,
     /// Which primitive those rays leave: this one, or none where an offset is used.
     pub left: Option<usize>,
+}
+
+impl Surface {
+    /// The way from the point to a lamp.
+    ///
+    /// Far from the eye the rounding of a point may be no less than the ball that it is on, and a
+    /// lamp beside it would seem to stand elsewhere. The difference of two places that are close
+    /// together is exact, so the lamp is seen from the centre, and the radius is taken off.
+    #[inline(always)]
+    #[must_use]
+    pub fn to(&self, lamp: Vec3) -> Vec3 {
+        (lamp - self.anchor) - self.arm
+    }
 }
 
 /// What a ray finds where it meets a primitive.
@@ -129,7 +147,7 @@ impl<'a> Tracer<'a> {
     fn local(&mut self, at: &Surface, material: &Phong<Real>, mirrored: Vec3, depth: u32) -> Vec3 {
         let mut colour = material.ambient;
         for lamp in &self.scene.lights {
-            let to_lamp = lamp.position - at.point;
+            let to_lamp = at.to(lamp.position);
             let distance = to_lamp.length();
             let l = to_lamp * (1.0 / distance);
             let facing = at.normal.dot(l);

@@ -1,9 +1,9 @@
-//! Scene to constants in f32 or f64: recentre on the camera, choose a form for each primitive,
-//! round once.
+//! Scene to constants in f32 or f64: recentre on the camera, turn into its axes, choose a form for
+//! each primitive, round once.
 //!
-//! Everything that is subtracted here is subtracted exactly (double-double), so a scene far
-//! from the origin compiles to the same constants as the same scene around it, as far as
-//! f64 could state it. Both renderers start from these constants and nothing else. What is decided
+//! Everything that is subtracted and turned here is so in double-double, so a scene far from the
+//! origin, or turned against the world's axes, compiles to the same constants as the same scene
+//! around it, as far as f64 could state it. Both renderers start from these constants and nothing else. What is decided
 //! here, which form and which lamps are hidden, is decided on the stated scene: it does not depend
 //! on the scalar.
 
@@ -13,17 +13,19 @@ mod material;
 
 use std::collections::HashMap;
 
-pub use camera::EyeRays;
+pub use camera::{CameraAxes, EyeRays};
 pub use forms::{Ball, Flat, Shape, TextbookPlane, TextbookSphere};
 pub use material::{Phong, Power};
 
 use crate::{DoubleDouble, Draft, Numerics, Scalar, Scene, Wider};
 
-/// A scene as the renderers read it. The eye is at the origin.
+/// A scene as the renderers read it: in the camera's own axes, the eye at the origin.
 #[derive(Clone, Debug)]
 pub struct Compiled<S: Scalar = f32> {
     /// Which formulas. Robust scenes hold balls and flats, textbook scenes the others.
     pub numerics: Numerics,
+    /// The camera's own axes, in which everything else here is stated.
+    pub axes: CameraAxes,
     /// How a point of the image plane becomes a direction.
     pub eye: EyeRays<S>,
     /// Reflections followed.
@@ -44,7 +46,7 @@ pub struct Compiled<S: Scalar = f32> {
 /// A point light.
 #[derive(Clone, Copy, Debug)]
 pub struct PointLight<S: Scalar = f32> {
-    /// Relative to the eye.
+    /// In the camera's axes, relative to the eye.
     pub position: S::Vec3,
     /// Linear RGB.
     pub intensity: S::Vec3,
@@ -79,7 +81,8 @@ impl<S: Scalar> Compiled<S> {
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let (materials, material_of) = materials(scene);
-        let shapes = forms::shapes(scene).into_iter().zip(forms::firsts(scene));
+        let axes = CameraAxes::new(&scene.camera);
+        let shapes = forms::shapes(scene, &axes).into_iter().zip(forms::firsts(scene));
         let primitives = (0..)
             .zip(shapes.zip(material_of))
             .filter(|(_, ((_, first), _))| *first)
@@ -88,24 +91,25 @@ impl<S: Scalar> Compiled<S> {
         Self {
             numerics: scene.render.numerics,
             eye: EyeRays::new(scene),
+            axes,
             max_depth: scene.render.max_depth,
             min_weight: S::rounded(scene.render.min_weight),
             background: colour::<S>(scene.render.background),
-            lights: lights(scene),
+            lights: lights(scene, &axes),
             materials,
             primitives,
         }
     }
 }
 
-/// The lights, relative to the eye.
-fn lights<S: Scalar>(scene: &Draft) -> Vec<PointLight<S>> {
+/// The lights, in the camera's axes.
+fn lights<S: Scalar>(scene: &Draft, axes: &CameraAxes) -> Vec<PointLight<S>> {
     let robust = scene.render.numerics == Numerics::Robust;
     scene
         .lights
         .iter()
         .map(|light| PointLight {
-            position: nearest3::<S, _>(from_eye(scene, light.position)),
+            position: nearest3::<S>(axes.point(light.position)),
             intensity: rounded3::<S>(light.intensity),
             hidden: robust && forms::hides(scene, light.position),
         })
@@ -132,12 +136,6 @@ fn materials<S: Scalar>(scene: &Draft) -> (Vec<Phong<S>>, Vec<u32>) {
     (compiled, indices)
 }
 
-/// A point relative to the eye, exact.
-fn from_eye(scene: &Draft, point: [f64; 3]) -> [DoubleDouble; 3] {
-    let eye = scene.camera.position;
-    std::array::from_fn(|i| DoubleDouble::difference(point[i], eye[i]))
-}
-
 /// The unit vector of a direction of a valid scene.
 fn unit<W: Wider>(v: [W; 3]) -> [W; 3] {
     crate::direction::unit(v).expect("a valid scene's directions are not zero")
@@ -152,6 +150,6 @@ fn rounded3<S: Scalar>(v: [f64; 3]) -> S::Vec3 {
     v.map(S::rounded).into()
 }
 
-fn nearest3<S: Scalar, W: Into<DoubleDouble>>(v: [W; 3]) -> S::Vec3 {
-    v.map(|x| S::nearest(x.into())).into()
+fn nearest3<S: Scalar>(v: [DoubleDouble; 3]) -> S::Vec3 {
+    v.map(S::nearest).into()
 }

@@ -19,8 +19,8 @@ mod view;
 mod write;
 
 pub use compile::{
-    Ball, Compiled, EyeRays, Flat, Phong, PointLight, Power, Primitive, Shape, TextbookPlane,
-    TextbookSphere,
+    Ball, CameraAxes, Compiled, EyeRays, Flat, Phong, PointLight, Power, Primitive, Shape,
+    TextbookPlane, TextbookSphere,
 };
 pub use counts::{Counts, DepthCount};
 pub use double_double::DoubleDouble;

@@ -9,7 +9,9 @@ pub(super) mod text;
 
 use catoptric_core::{Isa, Settings};
 use catoptric_ladder::{DEEPEST, Event, RUNGS, Rung, Watch};
-use catoptric_scene::{Compiled, Crop, Film, Grid, Quantiser, Scene, View};
+use catoptric_scene::{
+    CameraAxes, Compiled, Crop, DoubleDouble, Film, Grid, Quantiser, Scene, View,
+};
 use catoptric_study::tracer::{STACK_LIMIT, Tracer};
 use serde::Serialize;
 
@@ -27,7 +29,7 @@ pub(super) struct Life<'a> {
     pub(super) recursion: &'static Rung,
     /// Who told the engine's side.
     pub(super) engine: &'static Rung,
-    /// The recursion's log; the engine's agrees.
+    /// The recursion's log, in the world's axes; the engine's agrees.
     pub(super) events: Vec<Event>,
     /// Whether the engine formed the weights too.
     pub(super) engine_forms_weights: bool,
@@ -83,6 +85,7 @@ impl<'a> Life<'a> {
             )));
         }
         let engine_forms_weights = same.weights;
+        let events = in_the_world(events, &compiled.axes);
         let quantiser = Quantiser::new(scene.image.transfer);
         Ok(Self {
             name,
@@ -176,6 +179,21 @@ pub(super) struct Roles {
     /// `ray`: in flight; `push`: a level is put on the stack; `end`: nothing is owed; `fold`: the
     /// level is taken off and paid. Null: nothing happens, what the recursion returns is at hand.
     pub(super) engine: Option<&'static str>,
+}
+
+/// Turns a log, which is in the camera's axes, into the world's. Points stay relative to the eye;
+/// coordinates are rounded once more, unless the two have the same axes.
+fn in_the_world(mut events: Vec<Event>, axes: &CameraAxes) -> Vec<Event> {
+    let turned = |v: [f32; 3]| {
+        axes.turned_back(v.map(|x| DoubleDouble::from(f64::from(x)))).map(DoubleDouble::to_f32)
+    };
+    for event in &mut events {
+        if let Event::Call { origin, direction, .. } = event {
+            *origin = turned(origin.to_array()).into();
+            *direction = turned(direction.to_array()).into();
+        }
+    }
+    events
 }
 
 fn too_deep(scene: &Scene) -> Failure {

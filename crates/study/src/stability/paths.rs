@@ -2,7 +2,9 @@
 
 use catoptric_reference::truth::{Precision, Truth, Vertex};
 use catoptric_reference::{double, path};
-use catoptric_scene::{Compiled, DoubleDouble, Draft, Grid, Numerics, Scalar, Scene, View};
+use catoptric_scene::{
+    CameraAxes, Compiled, DoubleDouble, Draft, Grid, Numerics, Scalar, Scene, View,
+};
 use rayon::prelude::*;
 
 /// What a path is computed in.
@@ -56,7 +58,7 @@ impl Arithmetic {
 /// A view of a scene, ready for the paths of its pixels.
 pub struct Paths {
     view: View,
-    eye: [f64; 3],
+    axes: CameraAxes,
     tracer: Tracer,
 }
 
@@ -86,7 +88,7 @@ impl Paths {
             Arithmetic::F64 => truth(Precision::F64),
             Arithmetic::DoubleDouble => truth(Precision::DoubleDouble),
         };
-        Self { view: *view, eye: scene.camera.position, tracer }
+        Self { view: *view, axes: CameraAxes::new(&scene.camera), tracer }
     }
 
     /// Every hit on the path of pixel (x, y)'s first sub-sample, in the scene's coordinates.
@@ -100,8 +102,7 @@ impl Paths {
     #[must_use]
     pub fn nudged(&self, x: u32, y: u32, nudge: [f64; 3]) -> Vec<Vertex> {
         let vertex = |stated: u32, point: [f64; 3], lit, followed| {
-            let from_origin: [_; 3] =
-                std::array::from_fn(|i| DoubleDouble::difference(point[i], -self.eye[i]));
+            let from_origin = self.axes.world_point(point.map(DoubleDouble::from));
             Vertex {
                 primitive: stated as usize,
                 point: from_origin.map(DoubleDouble::to_f64),

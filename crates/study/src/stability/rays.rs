@@ -7,7 +7,8 @@ use glam::DVec3;
 use super::exact::{narrow, widen};
 use crate::formula::Formula;
 
-/// A scene without repeated surfaces, for rays that start relative to its eye.
+/// A scene without repeated surfaces, for rays that start relative to its eye, in the world's
+/// axes.
 pub(crate) enum Rays {
     F32(Compiled),
     F64(Compiled<f64>),
@@ -39,7 +40,11 @@ pub(crate) struct Met {
 
 impl Rays {
     pub(crate) fn new(formula: Formula, draft: &Draft) -> Self {
-        let scene = formula.scene(draft);
+        // Single rays go their own way: a camera with the world's axes leaves their numbers as they are.
+        let mut draft = draft.clone();
+        let [x, y, z] = draft.camera.position;
+        (draft.camera.look_at, draft.camera.up) = ([x, y, z.next_down() - 1.0], [0.0, 1.0, 0.0]);
+        let scene = formula.scene(&draft);
         match formula {
             Formula::RobustF64 => Self::F64(Compiled::of(&scene)),
             Formula::TextbookF32 | Formula::RobustF32 => Self::F32(Compiled::new(&scene)),
