@@ -82,8 +82,8 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "another form of a reciprocal root",
         file: "ball.rs",
-        sound: "L::constant(1.0) / x.length()",
-        instead: "(L::constant(1.0) / x.dot(x)).sqrt()",
+        sound: "return x * (L::constant(1.0) / x.length())",
+        instead: "return x * (L::constant(1.0) / x.dot(x)).sqrt()",
     },
     Fault {
         name: "a mirrored direction that is not made a unit vector again",
@@ -160,9 +160,8 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a ball's normal from its distance",
         file: "ball.rs",
-        sound: "rays.direction * f.dot(rays.direction) - f",
-        instead: "rays.direction * (t + (L::splat(self.radius_squared) - { let x = \
-            rays.direction * f.dot(rays.direction) - f; x.dot(x) }).positive().sqrt()) - f",
+        sound: "(x - rays.direction * (g + s)) * (L::constant(1.0) / L::splat(self.radius))",
+        instead: "{ let _ = (g, s); x * (L::constant(1.0) / x.length()) }",
     },
     Fault {
         name: "a lamp seen from a ball's point as it is rounded",

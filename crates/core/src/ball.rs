@@ -29,15 +29,13 @@ impl<S: Lane> Form<S> for Ball<S> {
     /// The unit vector from the centre; also for a ball around the eye.
     #[inline(always)]
     fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
-        let f = Vec3::splat(self.center) - rays.origin;
+        let x = rays.direction * t - (Vec3::splat(self.center) - rays.origin);
         if self.is_around() {
-            let x = rays.direction * t - f;
             return x * (L::constant(1.0) / x.length());
         }
-        let x = rays.direction * f.dot(rays.direction) - f;
-        let s = (L::splat(self.radius_squared) - x.dot(x)).positive().sqrt();
-        let n = (x - rays.direction * s) * (L::constant(1.0) / L::splat(self.radius));
-        n * (L::constant(1.5) - L::constant(0.5) * n.dot(n))
+        let g = x.dot(rays.direction);
+        let s = (L::splat(self.radius_squared) - x.dot(x) + g * g).positive().sqrt();
+        (x - rays.direction * (g + s)) * (L::constant(1.0) / L::splat(self.radius))
     }
 
     /// Of the unit vector from the centre.

@@ -34,20 +34,19 @@ pub(crate) fn distance(ball: &Ball<Real>, ray: Ray, own: bool) -> Option<Real> {
 
 /// Where a ray meets it at distance `t`, put back on the sphere.
 ///
-/// The normal is formed from the foot of the perpendicular and half the chord, not from `t`: of a
-/// small ball far away, the rounding of the distance may be more than the radius. Its length is 1
-/// up to rounding, so one Newton step makes it a unit vector. A ball around the eye is as large as
-/// the way to it, so that `t` is as good, and takes less.
+/// Of a small ball far away, the rounding of `t` may be more than the radius. So `t` only leads near
+/// the hit, to x from the centre: there g = x·d is how far it is past the foot of the perpendicular,
+/// and s is half the chord, r^2 less the square of the foot's distance being its square. The hit is
+/// at -s, so x - (g + s) d, over r, is a unit vector up to rounding. A ball around the eye is as
+/// large as the way to it, so that `t` is as good as that, and takes less.
 pub(crate) fn surface(ball: &Ball<Real>, ray: Ray, t: Real, id: usize) -> Surface {
-    let f = ball.center - ray.origin;
+    let x = ray.direction * t - (ball.center - ray.origin);
     let outward = if ball.is_around() {
-        let x = ray.direction * t - f;
         x * (1.0 / x.length())
     } else {
-        let x = ray.direction * f.dot(ray.direction) - f;
-        let s = positive(ball.radius_squared - x.dot(x)).sqrt();
-        let n = (x - ray.direction * s) * (1.0 / ball.radius);
-        n * (1.5 - 0.5 * n.dot(n))
+        let g = x.dot(ray.direction);
+        let s = positive(ball.radius_squared - x.dot(x) + g * g).sqrt();
+        (x - ray.direction * (g + s)) * (1.0 / ball.radius)
     };
     let arm = outward * ball.radius;
     let point = ball.center + arm;

@@ -13,7 +13,7 @@ use std::collections::HashSet;
 
 use super::{CameraAxes, nearest3, unit};
 use crate::direction::tamed;
-use crate::{DoubleDouble, Draft, Numerics, Plane, Scalar, Scene, Sphere, Wider};
+use crate::{DoubleDouble, Draft, Numerics, Plane, Scalar, Scene, Sphere};
 
 /// The form chosen for a primitive.
 #[derive(Clone, Copy, Debug)]
@@ -111,7 +111,7 @@ pub(super) fn shapes<S: Scalar>(scene: &Scene, axes: &CameraAxes) -> Vec<Shape<S
                 let normal = exact_normal(p);
                 Shape::TextbookPlane(TextbookPlane {
                     normal: nearest3::<S>(axes.turned(normal)),
-                    offset: S::nearest(-height(scene, normal, p.point)),
+                    offset: S::nearest(-height(p, scene.camera.position)),
                 })
             });
             spheres.chain(planes).collect()
@@ -142,8 +142,8 @@ pub(super) fn hides(scene: &Draft, light: [f64; 3]) -> bool {
         if eye < zero { light > zero } else { light < zero }
     });
     let by_plane = scene.planes.iter().any(|p| {
-        let height = |x| height_over(unit(p.normal), p.point, x);
-        if height(eye) < zero { height(light) > zero } else { height(light) < zero }
+        let (eye, light) = (scaled_height(p, eye), scaled_height(p, light));
+        if eye < zero { light > zero } else { light < zero }
     });
     by_sphere || by_plane
 }
@@ -178,17 +178,16 @@ fn robust_sphere<S: Scalar>(scene: &Draft, axes: &CameraAxes, sphere: &Sphere) -
 
 /// The normal is turned to the eye's side; an eye on the plane is where the normal points.
 fn robust_plane<S: Scalar>(scene: &Draft, axes: &CameraAxes, plane: &Plane) -> Flat<S> {
-    let turned = height(scene, unit(plane.normal), plane.point) < DoubleDouble::default();
     let normal = exact_normal(plane);
-    let height = height(scene, normal, plane.point);
+    let height = height(plane, scene.camera.position);
+    let turned = height < DoubleDouble::default();
     let lean = if turned { normal } else { normal.map(|x| -x) };
     let height = if turned { -height } else { height };
     let lean = axes.turned(lean);
     Flat { curvature: S::ZERO, lean: nearest3::<S>(lean), offset: S::nearest(height + height) }
 }
 
-/// The unit normal in double-double, which what is rounded to the scalar starts from. What is
-/// decided for all scalars alike is decided with the normal in f64.
+/// The unit normal, as it is stated.
 fn exact_normal(plane: &Plane) -> [DoubleDouble; 3] {
     unit(tamed(plane.normal).map(DoubleDouble::from))
 }
@@ -200,13 +199,18 @@ fn power_of(sphere: &Sphere, x: [f64; 3]) -> DoubleDouble {
     d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - r * r
 }
 
-/// The eye's height over a plane.
-fn height<W: Wider>(scene: &Draft, normal: [W; 3], point: [f64; 3]) -> DoubleDouble {
-    height_over(normal, point, scene.camera.position)
+/// The height of x over a plane, on the side that its normal points to.
+fn height(plane: &Plane, x: [f64; 3]) -> DoubleDouble {
+    let [a, b, c] = tamed(plane.normal).map(DoubleDouble::from);
+    scaled_height(plane, x) / (a * a + b * b + c * c).sqrt()
 }
 
-/// normal · (x - point).
-fn height_over<W: Wider>(normal: [W; 3], point: [f64; 3], x: [f64; 3]) -> DoubleDouble {
-    let along = |i: usize| normal[i].into() * DoubleDouble::difference(x[i], point[i]);
+/// [`height`] times the length of the stated normal, which says on which side of the plane x is: the
+/// products are exact, so of a point that is stated to be on the plane it is 0, however the plane
+/// lies. A unit normal's rounding would put it on one side or the other.
+fn scaled_height(plane: &Plane, x: [f64; 3]) -> DoubleDouble {
+    let normal = tamed(plane.normal);
+    let along =
+        |i: usize| DoubleDouble::from(normal[i]) * DoubleDouble::difference(x[i], plane.point[i]);
     along(0) + along(1) + along(2)
 }
