@@ -80,10 +80,10 @@ const FAULTS: &[Fault] = &[
         instead: "self * (L::constant(1.0) / divisor)",
     },
     Fault {
-        name: "another form of a reciprocal root",
+        name: "another form of a quotient by a root",
         file: "ball.rs",
-        sound: "return x * (L::constant(1.0) / x.length())",
-        instead: "return x * (L::constant(1.0) / x.dot(x)).sqrt()",
+        sound: "L::splat(self.radius) / x.length()",
+        instead: "L::splat(self.radius) * (L::constant(1.0) / x.length())",
     },
     Fault {
         name: "a mirrored direction that is not made a unit vector again",
@@ -160,14 +160,14 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a ball's normal from its distance",
         file: "ball.rs",
-        sound: "(x - rays.direction * (g + s)) * (L::constant(1.0) / L::splat(self.radius))",
-        instead: "{ let _ = (g, s); x * (L::constant(1.0) / x.length()) }",
+        sound: "x - rays.direction * (g + s)",
+        instead: "{ let _ = (g, s); x * (L::splat(self.radius) / x.length()) }",
     },
     Fault {
         name: "a lamp seen from a ball's point as it is rounded",
-        file: "ball.rs",
-        sound: "Vec3::splat(lamp) - Vec3::splat(self.center) - arm",
-        instead: "{ let _ = arm; Vec3::splat(lamp) - _point }",
+        file: "nearest.rs",
+        sound: "Vec3::splat(lamp) - Vec3::splat(anchor) - arm",
+        instead: "Vec3::splat(lamp) - (Vec3::splat(anchor) + arm)",
     },
     Fault {
         name: "a cone of shadow that holds beyond its reach",
@@ -214,8 +214,8 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a point that is no number takes the others' bounds away",
         file: "surfaces.rs",
-        sound: "[point.least(bounds[0]), point.most(bounds[1])]",
-        instead: "[bounds[0].least(point), bounds[1].most(point)]",
+        sound: "[arm.least(bounds[0]), arm.most(bounds[1])]",
+        instead: "[bounds[0].least(arm), bounds[1].most(arm)]",
     },
     Fault {
         name: "room for two entries a packet, where each ray may leave one",

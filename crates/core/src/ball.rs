@@ -18,7 +18,11 @@ impl<S: Lane> Form<S> for Ball<S> {
     }
 
     #[inline(always)]
-    fn distance<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>> {
+    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
+        &self,
+        rays: &Rays<L>,
+        own: Mask<L>,
+    ) -> Option<Distance<L>> {
         let foot = foot(self, rays).without(own);
         if !foot.met().any() {
             return None;
@@ -26,29 +30,26 @@ impl<S: Lane> Form<S> for Ball<S> {
         Some(foot.near())
     }
 
-    /// The unit vector from the centre; also for a ball around the eye.
     #[inline(always)]
-    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+    fn anchor(&self) -> Option<S::Vec3> {
+        Some(self.center)
+    }
+
+    /// From the centre; also of a ball around the eye.
+    #[inline(always)]
+    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         let x = rays.direction * t - (Vec3::splat(self.center) - rays.origin);
         if self.is_around() {
-            return x * (L::constant(1.0) / x.length());
+            return x * (L::splat(self.radius) / x.length());
         }
         let g = x.dot(rays.direction);
         let s = (L::splat(self.radius_squared) - x.dot(x) + g * g).positive().sqrt();
-        (x - rays.direction * (g + s)) * (L::constant(1.0) / L::splat(self.radius))
-    }
-
-    /// Of the unit vector from the centre.
-    #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, outward: Vec3<L>, _: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
-        let point = Vec3::splat(self.center) + outward * L::splat(self.radius);
-        (point, outward * L::splat(self.side))
+        x - rays.direction * (g + s)
     }
 
     #[inline(always)]
-    fn to_lamp<L: Lanes<Scalar = S>>(&self, lamp: S::Vec3, _: Vec3<L>, normal: Vec3<L>) -> Vec3<L> {
-        let arm = normal * (L::splat(self.side) * L::splat(self.radius));
-        Vec3::splat(lamp) - Vec3::splat(self.center) - arm
+    fn normal<L: Lanes<Scalar = S>>(&self, arm: Vec3<L>, _: Vec3<L>) -> Vec3<L> {
+        arm * (L::splat(self.side) / L::splat(self.radius))
     }
 }
 
@@ -57,7 +58,11 @@ impl<S: Lane> Form<S> for Around<Ball<S>> {
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
-    fn distance<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>> {
+    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
+        &self,
+        rays: &Rays<L>,
+        own: Mask<L>,
+    ) -> Option<Distance<L>> {
         let Foot { b, discriminant } = foot(&self.0, rays);
         // Of a packet that left it whole, no root.
         let s = if own.all() { b } else { own.select(b, discriminant.positive().sqrt()) };
@@ -66,13 +71,18 @@ impl<S: Lane> Form<S> for Around<Ball<S>> {
     }
 
     #[inline(always)]
-    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
-        self.0.place(rays, t)
+    fn anchor(&self) -> Option<S::Vec3> {
+        self.0.anchor()
     }
 
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, outward: Vec3<L>, d: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
-        self.0.surface(outward, d)
+    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+        self.0.arm(rays, t)
+    }
+
+    #[inline(always)]
+    fn normal<L: Lanes<Scalar = S>>(&self, arm: Vec3<L>, d: Vec3<L>) -> Vec3<L> {
+        self.0.normal(arm, d)
     }
 }
 

@@ -13,7 +13,11 @@ impl<S: Lane> Form<S> for Flat<S> {
     const LEFT_BEHIND: bool = true;
 
     #[inline(always)]
-    fn distance<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>> {
+    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
+        &self,
+        rays: &Rays<L>,
+        own: Mask<L>,
+    ) -> Option<Distance<L>> {
         let gradient = gradient(self, rays.origin);
         let slope = gradient.dot(rays.direction);
         let met = slope.lt(L::constant(0.0)).without(own);
@@ -22,12 +26,17 @@ impl<S: Lane> Form<S> for Flat<S> {
         }
         // Without a root the distance is NaN, which is never nearer.
         let height = height(self, gradient, rays.origin);
-        let discriminant = discriminant(self, gradient, slope, height, rays.direction);
+        let discriminant = if EYE {
+            // From there |N|^2 is below 2, or its form would be another one.
+            slope * slope - L::splat(self.curvature) * height
+        } else {
+            discriminant(self, gradient, slope, height, rays.direction)
+        };
         Some(Distance { t: (height / (discriminant.sqrt() - slope)).not_behind(), met })
     }
 
     #[inline(always)]
-    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         let mut point = rays.origin + rays.direction * t;
         if self.is_around() {
             let gradient = gradient(self, point);
@@ -38,8 +47,8 @@ impl<S: Lane> Form<S> for Flat<S> {
     }
 
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
-        (point, gradient(self, point))
+    fn normal<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _: Vec3<L>) -> Vec3<L> {
+        gradient(self, point)
     }
 }
 
@@ -48,7 +57,11 @@ impl<S: Lane> Form<S> for Around<Flat<S>> {
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
-    fn distance<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>> {
+    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
+        &self,
+        rays: &Rays<L>,
+        own: Mask<L>,
+    ) -> Option<Distance<L>> {
         let flat = &self.0;
         let zero = L::constant(0.0);
         let gradient = gradient(flat, rays.origin);
@@ -62,13 +75,13 @@ impl<S: Lane> Form<S> for Around<Flat<S>> {
     }
 
     #[inline(always)]
-    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
-        self.0.place(rays, t)
+    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+        self.0.arm(rays, t)
     }
 
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, d: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
-        self.0.surface(point, d)
+    fn normal<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, d: Vec3<L>) -> Vec3<L> {
+        self.0.normal(point, d)
     }
 }
 

@@ -11,6 +11,7 @@ use crate::nearest::Form;
 use crate::occluders::{Occluder, Toward};
 use crate::packet::{Rays, World};
 use crate::power::power;
+use crate::surfaces::Surface;
 use crate::vec3::{Packed, Vec3};
 use crate::{ball, flat, textbook};
 
@@ -24,7 +25,6 @@ const _: () = assert!(SIDE_BY_SIDE <= u32::BITS as usize);
 #[derive(Clone, Copy)]
 #[repr(C, align(32))]
 pub(crate) struct Place<S> {
-    pub(crate) point: Packed<S>,
     pub(crate) normal: Packed<S>,
     /// Where rays that come there go on to; left out where nothing asks for it.
     pub(crate) mirrored: Packed<S>,
@@ -61,14 +61,13 @@ impl<S: Lane> Place<S> {
     pub(crate) const EMPTY: Self = {
         let (one, three) = ([S::ZERO; LANES], [[S::ZERO; LANES]; 3]);
         let way = Way { l: three, distance: one, facing: one, lit: one };
-        Self { point: three, normal: three, mirrored: three, colour: three, live: 0, way }
+        Self { normal: three, mirrored: three, colour: three, live: 0, way }
     };
 
-    /// Points, and unit vectors and distances to the lamp.
+    /// Unit vectors and distances to the lamp.
     #[inline(always)]
-    fn way<L: Lanes<Scalar = S>>(&self) -> (Vec3<L>, Vec3<L>, L) {
-        let (point, l) = (Vec3::from_arrays(&self.point), Vec3::from_arrays(&self.way.l));
-        (point, l, L::from_array(self.way.distance))
+    fn way<L: Lanes<Scalar = S>>(&self) -> (Vec3<L>, L) {
+        (Vec3::from_arrays(&self.way.l), L::from_array(self.way.distance))
     }
 
     #[inline(always)]
@@ -82,7 +81,7 @@ impl<S: Lane> Place<S> {
     }
 }
 
-/// Adds what a lamp sends back; how many rays were sent to it.
+/// Adds what a lamp sends back from places on surfaces; how many rays were sent to it.
 ///
 /// A lane that the lamp does not reach adds +0, which changes nothing: no colour is -0. Without
 /// a highlight the recursion adds 0 · power, which changes nothing either.
@@ -93,17 +92,17 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
     material: &Phong<L::Scalar>,
     highlight: bool,
     lamp: Lamp<L::Scalar>,
+    surfaces: &[Surface<L::Scalar>],
     places: &mut [Place<L::Scalar>],
 ) -> u64 {
     let Lamp { lamp, toward, occluders } = lamp;
     let mut rays = 0;
     let mut far = 0;
-    for at in places.iter_mut().rev() {
-        let (point, normal) = (Vec3::from_arrays(&at.point), Vec3::from_arrays(&at.normal));
-        let to_lamp: Vec3<L> = form.to_lamp(lamp.position, point, normal);
+    for (surface, at) in surfaces.iter().zip(&mut *places).rev() {
+        let to_lamp = form.to_lamp(lamp.position, Vec3::<L>::from_arrays(&surface.arm));
         let distance = to_lamp.length();
         let l = to_lamp * (L::constant(1.0) / distance);
-        let facing = normal.dot(l);
+        let facing = Vec3::from_arrays(&at.normal).dot(l);
         let zero = L::constant(0.0);
         let faces = facing.gt(zero) & distance.gt(zero);
         rays += u64::from((faces.bits() & ((1 << at.live) - 1)).count_ones());
@@ -119,9 +118,9 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
         return rays;
     }
     if F::NUMERICS == Numerics::Robust && world.omit.occluders {
-        shadows_side_by_side::<L>(world, far, toward, occluders, places);
+        shadows_side_by_side::<L, F>(form, world, far, (toward, occluders), surfaces, places);
     } else {
-        shadows_in_turn::<L, F>(form, world, occluders, places);
+        shadows_in_turn::<L, F>(form, world, occluders, surfaces, places);
     }
     for at in places {
         let lit = at.lit::<L>();
@@ -142,28 +141,31 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
 
 /// Shadows of balls and large spheres, one after another. `far`: the places beyond the lamp's reach.
 #[inline(always)]
-fn shadows_side_by_side<L: Lanes>(
+fn shadows_side_by_side<L: Lanes, F: Form<L::Scalar>>(
+    form: F,
     world: World<L::Scalar>,
     far: u32,
-    toward: Toward<L::Scalar>,
-    occluders: &[u32],
+    (toward, occluders): (Toward<L::Scalar>, &[u32]),
+    surfaces: &[Surface<L::Scalar>],
     places: &mut [Place<L::Scalar>],
 ) {
+    let point = |surface: &Surface<L::Scalar>| form.point(Vec3::<L>::from_arrays(&surface.arm));
     for &number in occluders {
         match world.occluders.get(number) {
             Occluder::Ball(ball) => {
                 let mut rest = far | toward.reached::<L>(number, places);
                 while rest != 0 {
-                    let at = &mut places[rest.trailing_zeros() as usize % SIDE_BY_SIDE];
+                    let place = rest.trailing_zeros() as usize % SIDE_BY_SIDE;
                     rest &= rest - 1;
-                    let (point, l, distance) = at.way();
+                    let (point, at) = (point(&surfaces[place]), &mut places[place]);
+                    let (l, distance) = at.way();
                     at.darken(ball::occludes::<L>(ball, point, l, distance));
                 }
             }
             Occluder::Flat(flat) => {
-                for at in &mut *places {
-                    let (point, l, distance) = at.way();
-                    at.darken(flat::occludes::<L>(flat, point, l, distance));
+                for (surface, at) in surfaces.iter().zip(&mut *places) {
+                    let (l, distance) = at.way();
+                    at.darken(flat::occludes::<L>(flat, point(surface), l, distance));
                 }
             }
             Occluder::Textbook(_) => unreachable!("a scene's forms are all of its numerics"),
@@ -178,10 +180,12 @@ fn shadows_in_turn<L: Lanes, F: Form<L::Scalar>>(
     form: F,
     world: World<L::Scalar>,
     occluders: &[u32],
+    surfaces: &[Surface<L::Scalar>],
     places: &mut [Place<L::Scalar>],
 ) {
-    for at in places {
-        let (point, l, distance) = at.way::<L>();
+    for (surface, at) in surfaces.iter().zip(places) {
+        let (l, distance) = at.way::<L>();
+        let point = form.point(Vec3::from_arrays(&surface.arm));
         let start = form.start(point, Vec3::from_arrays(&at.normal));
         let rays = Rays { origin: start, direction: l };
         let mut lit = at.lit::<L>();

@@ -82,30 +82,44 @@ pub(crate) trait Form<S: Lane>: Copy {
         None
     }
 
-    /// Distances to it, unless all lanes miss it; `own`: the lanes whose ray starts on it.
+    /// Distances to it, unless all lanes miss it; `own`: the lanes whose ray starts on it. `EYE`:
+    /// all rays start at the eye.
     ///
     /// Idle lanes compute what is never read.
-    fn distance<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>>;
-
-    /// Where rays meet it at distances `t`: what [`Form::surface`] makes point and normal of.
-    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L>;
-
-    /// Points and unit normals of places where rays in `direction` meet it.
-    fn surface<L: Lanes<Scalar = S>>(
+    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
         &self,
-        place: Vec3<L>,
-        direction: Vec3<L>,
-    ) -> (Vec3<L>, Vec3<L>);
+        rays: &Rays<L>,
+        own: Mask<L>,
+    ) -> Option<Distance<L>>;
 
-    /// The ways from points, where normals are known, to a lamp.
+    /// What its points are measured from: a ball's centre, or else the eye.
     #[inline(always)]
-    fn to_lamp<L: Lanes<Scalar = S>>(
-        &self,
-        lamp: S::Vec3,
-        point: Vec3<L>,
-        _normal: Vec3<L>,
-    ) -> Vec3<L> {
-        Vec3::splat(lamp) - point
+    fn anchor(&self) -> Option<S::Vec3> {
+        None
+    }
+
+    /// Where rays meet it at distances `t`, from the anchor.
+    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L>;
+
+    /// Unit normals where rays in `direction` meet it.
+    fn normal<L: Lanes<Scalar = S>>(&self, arm: Vec3<L>, direction: Vec3<L>) -> Vec3<L>;
+
+    /// The points at the end of arms.
+    #[inline(always)]
+    fn point<L: Lanes<Scalar = S>>(&self, arm: Vec3<L>) -> Vec3<L> {
+        match self.anchor() {
+            Some(anchor) => Vec3::splat(anchor) + arm,
+            None => arm,
+        }
+    }
+
+    /// The ways from there to a lamp: `reference::trace::Surface::to`.
+    #[inline(always)]
+    fn to_lamp<L: Lanes<Scalar = S>>(&self, lamp: S::Vec3, arm: Vec3<L>) -> Vec3<L> {
+        match self.anchor() {
+            Some(anchor) => Vec3::splat(lamp) - Vec3::splat(anchor) - arm,
+            None => Vec3::splat(lamp) - arm,
+        }
     }
 
     /// Where rays that leave such a point start.
@@ -184,7 +198,7 @@ impl<S: Lane> Try<'_, S> {
             } else {
                 own
             };
-            if let Some(distance) = form.distance(&rays, own) {
+            if let Some(distance) = form.distance::<L, EYE>(&rays, own) {
                 found |= 1 << i;
                 take(index, distance, &mut indices[i], &mut distances[i]);
             }

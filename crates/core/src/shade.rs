@@ -10,7 +10,7 @@ use crate::packet::{NONE, Rays, World};
 use crate::plan::is_unlit;
 use crate::sight::in_f64;
 use crate::stack::{Owed, Stack};
-use crate::surfaces::{Met, Surfaces};
+use crate::surfaces::{Met, Surface, Surfaces};
 use crate::vec3::Vec3;
 use crate::wave::{Mirrored, Wave};
 
@@ -95,8 +95,11 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
     level.count.hits += hits;
 
     let few = world.occluders.len() * surfaces.all().len() < WORTH_BOUNDS;
-    let (center, radius) =
-        if few || !world.omit.occluders { (DVec3::ZERO, f64::INFINITY) } else { surfaces.bounds() };
+    let (center, radius) = if few || !world.omit.occluders {
+        (DVec3::ZERO, f64::INFINITY)
+    } else {
+        surfaces.bounds(form.anchor())
+    };
     let mut end = 0;
     let unlit = world.omit.shadows && is_unlit(material);
     let lights = if unlit { world.hidden } else { &scene.lights };
@@ -117,8 +120,8 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
                 Some(packet) => (LANES as u32, level.wave.directions().packet(packet)),
                 None => (at.live, Vec3::from_arrays(&at.direction)),
             };
-            let (point, normal) = form.surface(Vec3::<L>::from_arrays(&at.place), direction);
-            (to.point, to.normal) = (point.to_arrays(), normal.to_arrays());
+            let normal = form.normal(Vec3::<L>::from_arrays(&at.arm), direction);
+            to.normal = normal.to_arrays();
             if followed || highlight {
                 to.mirrored = mirrored(F::NUMERICS, direction, normal).to_arrays();
             }
@@ -129,7 +132,8 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
             let occluders = &occluders[start..end];
             start = end;
             let lamp = Lamp { lamp, toward: world.occluders.toward(number), occluders };
-            level.count.shadow += light::<L, F>(form, world, material, highlight, lamp, places);
+            level.count.shadow +=
+                light::<L, F>(form, world, material, highlight, lamp, surfaces, places);
         }
         for (at, place) in surfaces.iter().zip(&*places) {
             let local = Vec3::<L>::from_arrays(&place.colour);
@@ -140,7 +144,7 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
                     material: primitive.material,
                     k: material.mirror,
                 };
-                go_on::<L, F>(form, world, index, place, owes, level);
+                go_on::<L, F>(form, world, index, (at, place), owes, level);
             } else {
                 level.stack.push(local, &at.rays, Owed::END);
             }
@@ -166,7 +170,7 @@ fn go_on<L: Lanes, F: Form<L::Scalar>>(
     form: F,
     world: World<L::Scalar>,
     index: u32,
-    at: &Place<L::Scalar>,
+    (surface, at): (&Surface<L::Scalar>, &Place<L::Scalar>),
     owes: Owes<L>,
     level: &mut Level<L::Scalar>,
 ) {
@@ -174,7 +178,8 @@ fn go_on<L: Lanes, F: Form<L::Scalar>>(
         Numerics::Robust => index,
         Numerics::Textbook => NONE,
     };
-    let start = form.start(Vec3::from_arrays(&at.point), Vec3::from_arrays(&at.normal));
+    let point = form.point(Vec3::from_arrays(&surface.arm));
+    let start = form.start(point, Vec3::from_arrays(&at.normal));
     let rays_on = Rays { origin: start, direction: Vec3::from_arrays(&at.mirrored) };
     let mut next = Mirrored { rays: rays_on, weight: None, left };
     let lanes = Mask::first(at.live);

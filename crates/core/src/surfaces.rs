@@ -7,6 +7,7 @@ use crate::nearest::{Form, Found, Nearest};
 use crate::occluders::POINT;
 use crate::packet::Rays;
 use crate::plane::PACKETS;
+use crate::sight::in_f64;
 use crate::singles::Singles;
 use crate::stack::Owed;
 use crate::vec3::{Packed, Vec3};
@@ -16,8 +17,8 @@ use crate::wave::Wave;
 #[derive(Clone, Copy)]
 #[repr(C, align(32))]
 pub(crate) struct Surface<S> {
-    /// What the form makes points and normals of.
-    pub(crate) place: Packed<S>,
+    /// Where they are, from the form's anchor.
+    pub(crate) arm: Packed<S>,
     /// Which rays came there.
     pub(crate) rays: [Owed; LANES],
     /// Of rays that are no packet, their directions; a packet's are in its wave.
@@ -46,7 +47,7 @@ impl<S: Lane> Surfaces<S> {
     pub(crate) fn new() -> Self {
         let empty = [[S::ZERO; LANES]; 3];
         let rays = [Owed::NOTHING; LANES];
-        let surface = Surface { place: empty, rays, direction: empty, live: 0 };
+        let surface = Surface { arm: empty, rays, direction: empty, live: 0 };
         Self {
             list: vec![surface; PACKETS],
             len: 0,
@@ -113,9 +114,10 @@ impl<S: Lane> Surfaces<S> {
     }
 
     /// Centre, a point of the scalar, and radius of a ball that holds all points, and all that they
-    /// were rounded from.
+    /// were rounded from. `anchor` is the form's.
     #[inline(always)]
-    pub(crate) fn bounds(&self) -> (DVec3, f64) {
+    pub(crate) fn bounds(&self, anchor: Option<S::Vec3>) -> (DVec3, f64) {
+        let anchor = anchor.map_or(DVec3::ZERO, in_f64::<S>);
         let (mut center, mut corner) = (DVec3::ZERO, DVec3::ZERO);
         for axis in 0..3 {
             let (mut least, mut most) = (self.least[axis][0], self.most[axis][0]);
@@ -124,7 +126,7 @@ impl<S: Lane> Surfaces<S> {
                 least = if a < least { a } else { least };
                 most = if b > most { b } else { most };
             }
-            let (least, most) = (least.to_f64(), most.to_f64());
+            let (least, most) = (anchor[axis] + least.to_f64(), anchor[axis] + most.to_f64());
             center[axis] = S::rounded((least + most) * 0.5).to_f64();
             let (below, above) = (center[axis] - least, most - center[axis]);
             corner[axis] = if below > above { below } else { above };
@@ -135,9 +137,9 @@ impl<S: Lane> Surfaces<S> {
 }
 
 impl<S: Lane> Surface<S> {
-    /// Where rays met a primitive; widens the bounds of its points.
+    /// Where rays met a primitive; widens the bounds of its arms.
     ///
-    /// A point of NaN, which no lamp reaches, changes no bound: of it and a number the second is
+    /// An arm of NaN, which no lamp reaches, changes no bound: of it and a number the second is
     /// taken.
     #[inline(always)]
     fn fill<L: Lanes<Scalar = S>, F: Form<S>>(
@@ -147,9 +149,8 @@ impl<S: Lane> Surface<S> {
         distance: L,
         bounds: &mut [Vec3<L>; 2],
     ) {
-        let place = form.place(rays, distance);
-        self.place = place.to_arrays();
-        let (point, _) = form.surface(place, rays.direction);
-        *bounds = [point.least(bounds[0]), point.most(bounds[1])];
+        let arm = form.arm(rays, distance);
+        self.arm = arm.to_arrays();
+        *bounds = [arm.least(bounds[0]), arm.most(bounds[1])];
     }
 }

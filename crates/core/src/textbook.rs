@@ -35,20 +35,24 @@ impl<S: Lane> Form<S> for TextbookSphere<S> {
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
-    fn distance<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, _: Mask<L>) -> Option<Distance<L>> {
+    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
+        &self,
+        rays: &Rays<L>,
+        _: Mask<L>,
+    ) -> Option<Distance<L>> {
         Some(sphere_distance(self, rays))
     }
 
     #[inline(always)]
-    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         rays.origin + rays.direction * t
     }
 
     /// n = (p - c)/|p - c|.
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
+    fn normal<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _: Vec3<L>) -> Vec3<L> {
         let from_center = point - Vec3::splat(self.center);
-        (point, from_center * (L::constant(1.0) / from_center.length()))
+        from_center * (L::constant(1.0) / from_center.length())
     }
 
     /// p + (p - c)·1e-4.
@@ -63,25 +67,25 @@ impl<S: Lane> Form<S> for TextbookPlane<S> {
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
-    fn distance<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, _: Mask<L>) -> Option<Distance<L>> {
+    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
+        &self,
+        rays: &Rays<L>,
+        _: Mask<L>,
+    ) -> Option<Distance<L>> {
         Some(plane_distance(self, rays))
     }
 
     #[inline(always)]
-    fn place<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         rays.origin + rays.direction * t
     }
 
     /// The normal faces the ray.
     #[inline(always)]
-    fn surface<L: Lanes<Scalar = S>>(
-        &self,
-        point: Vec3<L>,
-        direction: Vec3<L>,
-    ) -> (Vec3<L>, Vec3<L>) {
+    fn normal<L: Lanes<Scalar = S>>(&self, _: Vec3<L>, direction: Vec3<L>) -> Vec3<L> {
         let away = Vec3::splat(self.normal).dot(direction).gt(L::constant(0.0));
         let turned = Vec3::splat(-self.normal);
-        (point, Vec3::select(away, turned, Vec3::splat(self.normal)))
+        Vec3::select(away, turned, Vec3::splat(self.normal))
     }
 
     /// p + n·1e-4.

@@ -37,20 +37,19 @@ pub(crate) fn distance(ball: &Ball<Real>, ray: Ray, own: bool) -> Option<Real> {
 /// Of a small ball far away, the rounding of `t` may be more than the radius. So `t` only leads near
 /// the hit, to x from the centre: there g = x·d is how far it is past the foot of the perpendicular,
 /// and s is half the chord, r^2 less the square of the foot's distance being its square. The hit is
-/// at -s, so x - (g + s) d, over r, is a unit vector up to rounding. A ball around the eye is as
+/// at -s: from the centre, x - (g + s) d. A ball around the eye is as
 /// large as the way to it, so that `t` is as good as that, and takes less.
 pub(crate) fn surface(ball: &Ball<Real>, ray: Ray, t: Real, id: usize) -> Surface {
     let x = ray.direction * t - (ball.center - ray.origin);
-    let outward = if ball.is_around() {
-        x * (1.0 / x.length())
+    let arm = if ball.is_around() {
+        x * (ball.radius / x.length())
     } else {
         let g = x.dot(ray.direction);
         let s = positive(ball.radius_squared - x.dot(x) + g * g).sqrt();
-        (x - ray.direction * (g + s)) * (1.0 / ball.radius)
+        x - ray.direction * (g + s)
     };
-    let arm = outward * ball.radius;
     let point = ball.center + arm;
-    let normal = outward * ball.side;
+    let normal = arm * (ball.side / ball.radius);
     Surface { point, anchor: ball.center, arm, normal, start: point, left: Some(id) }
 }
 
