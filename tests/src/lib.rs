@@ -5,3 +5,5 @@ pub mod crowds;
 pub mod generate;
 pub mod identity;
 pub mod scenes;
+pub mod turned;
+pub mod unseen;

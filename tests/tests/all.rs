@@ -6,3 +6,4 @@ mod identity;
 mod kernel;
 mod plan;
 mod planted;
+mod same;
