@@ -16,6 +16,7 @@
 //! backward.rs     backward error: is the picture that of a scene nearly as stated?
 //! rays.rs         single rays through the formulas
 //! exact.rs        rays and spheres in double-double
+//! search.rs       scenes of any magnitude, searched for what does not hold
 //! generic.rs      generic positions
 //! cost.rs         what robust costs over textbook
 //! crops.rs        pictures of the instructive cases
@@ -39,6 +40,7 @@ pub mod input;
 pub mod paths;
 mod rays;
 mod rows;
+pub mod search;
 pub mod suite;
 
 use suite::{EXPERIMENTS, Effort, Verdict, verdict};

@@ -12,6 +12,7 @@ mod light;
 mod occasion;
 mod report;
 mod scenes;
+mod search;
 mod stability;
 mod tables;
 mod timing;

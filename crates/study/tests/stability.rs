@@ -63,6 +63,11 @@ fn distant() {
 }
 
 #[test]
+fn apart() {
+    is_as_listed("apart");
+}
+
+#[test]
 fn contact() {
     is_as_listed("contact");
 }
@@ -100,6 +105,7 @@ fn every_experiment_has_its_test() {
         "workshop",
         "large",
         "distant",
+        "apart",
         "contact",
         "invariance",
         "mirrors",

@@ -13,14 +13,19 @@
 //! The spread is measured in one of two ways, u being 2^-24 in f32 and 2^-53 in f64:
 //!
 //! - **by the eye ray**: truth's largest change when the ray's direction is nudged by 1, 2 and
-//!   4 u, to the right, to the left, up and down;
+//!   4 u, to the right, to the left, up and down. In a narrow view the direction is known from
+//!   the view's middle, so there u is no more than 4 u of half the picture's diagonal: 16 u of
+//!   the picture are the most that is excused. Where mirrors send rays another way, whose
+//!   directions are known to u and no better, it is u in a narrow view too.
 //! - **by all input**: the larger of that and truth's largest change over [`SCENES`] scenes,
 //!   all of whose input is moved at once, in ways of chance. Every place is moved by [`MOVED`] u
-//!   of its distance from the eye, every radius and normal by up to as much relatively, and the
-//!   highlight of shininess p is multiplied by (1 ± [`MOVED`] u)^p, which is what an error in
-//!   the length of a unit vector does to the power of a cosine. A sphere that is large against
-//!   the scene is turned about the eye by [`MOVED`] u and moved by as many u of the scene's
-//!   extent, not of its own radius, or every error on it would be excused.
+//!   of its distance from the eye, across a narrow view by as much of what the view shows there
+//!   or of its own distance from the view's middle; every radius and normal by up to as much
+//!   relatively, and the highlight of shininess p is multiplied by (1 ± [`MOVED`] u)^p, which is
+//!   what an error in the length of a unit vector does to the power of a cosine. A sphere with
+//!   the eye within half a radius of its surface is moved by its height, curvature and normal at
+//!   the eye's foot, not by a part of its radius, or every error on it would be excused. Each
+//!   thing is moved by what it and the eye say alone: a far thing excuses nothing of the others.
 //!
 //! They are the same scenes for every pixel of every picture: none is added for one that fails.
 //!
@@ -34,7 +39,7 @@ mod moved;
 use std::sync::OnceLock;
 
 use catoptric_reference::truth::{Precision, TooDeep, Truth};
-use catoptric_scene::{Scene, Transfer, View};
+use catoptric_scene::{Draft, Scene, Transfer, View};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -70,6 +75,8 @@ pub struct Judge {
     scene: Scene,
     view: View,
     transfer: Transfer,
+    /// Scale of the eye ray's nudges.
+    narrow: f64,
     truth: Truth,
     pixels: Vec<[f64; 3]>,
     f32: Moves,
@@ -136,7 +143,8 @@ impl Judge {
         let moves = |u| Moves::new(u, brightness, pixels.len());
         let (f32, f64) = (moves(Formula::RobustF32.u()), moves(Formula::RobustF64.u()));
         let transfer = scene.image.transfer;
-        Ok(Self { scene: scene.clone(), view, transfer, truth, pixels, f32, f64 })
+        let narrow = narrow(scene);
+        Ok(Self { scene: scene.clone(), view, transfer, narrow, truth, pixels, f32, f64 })
     }
 
     /// Truth's picture.
@@ -253,7 +261,7 @@ impl Judge {
         let mut spread = 0.0;
         for way in [right, -right, up, -up] {
             for size in NUDGES {
-                let nudge = (size * moves.u * way).to_array();
+                let nudge = (size * moves.u * self.narrow * way).to_array();
                 let other = self.truth.radiance_nudged(&self.view, x, y, nudge)?;
                 spread = larger(spread, difference(&other, &self.pixels[index]));
             }
@@ -279,6 +287,20 @@ impl Moves {
             moved.map(|scene| Truth::new(&scene, Precision::DoubleDouble)).collect()
         })
     }
+}
+
+/// What an eye ray's direction is known to, in u: 1, or 4 times half the picture's diagonal at
+/// distance 1 where that is less and no mirror sends rays another way.
+fn narrow(scene: &Draft) -> f64 {
+    let materials = scene.spheres.iter().map(|sphere| &sphere.material);
+    let mut materials = materials.chain(scene.planes.iter().map(|plane| &plane.material));
+    if scene.render.max_depth > 0 && materials.any(|material| material.mirror() > 0.0) {
+        return 1.0;
+    }
+    let half_height = (scene.camera.fov.to_radians() / 2.0).tan();
+    let aspect = f64::from(scene.image.width) / f64::from(scene.image.height);
+    let across = 4.0 * half_height * (1.0 + aspect * aspect).sqrt();
+    if across < 1.0 { across } else { 1.0 }
 }
 
 /// Of an error to a spread; no error is none of any spread.

@@ -82,6 +82,10 @@ pub const GROUPS: &[Group] = &[
             all("workshop, levels", 0.0).textbook(OFFSET_OF_ONE),
             all("workshop mirror, levels", 0.0).textbook(OFFSET_OF_ONE),
             all("workshop turned, levels", 0.0).textbook(OFFSET_OF_ONE),
+            all("unseen ball, levels", 0.0).textbook(CANCELS),
+            all("far things, levels", 0.0).textbook(OFFSET_OF_ONE),
+            all("far oblique, levels", 0.0).textbook(CANCELS),
+            all("far small, levels", 0.0).textbook(CANCELS),
         ],
     },
     Group {
@@ -117,6 +121,10 @@ pub const GROUPS: &[Group] = &[
             all("closed room, by input", 4.0).textbook(INSIDE).robust(EDGES),
             all("corridor 1e6, by input", 4.0).textbook(CANCELS),
             all("corridor 1e9, by input", 4.0).textbook(CANCELS),
+            all("unseen ball, by input", 4.0).textbook(CANCELS),
+            all("far things, by input", 4.0).textbook(OFFSET_OF_ONE),
+            all("far oblique, by input", 4.0).textbook(CANCELS),
+            all("far small, by input", 4.0).textbook(CANCELS),
         ],
     },
     Group {
@@ -208,6 +216,18 @@ pub const GROUPS: &[Group] = &[
         source: "promised of the robust formulas",
         why: "A power of two changes exponents only.",
         cases: &[all("scaled by powers of two", 0.0)],
+    },
+    Group {
+        quantity: "pixels with other bits",
+        source: "promised of every formula",
+        why: "Compiled in the camera's own axes, a scene has no place and no orientation in the world.",
+        cases: &[all("turned, stated exactly", 0.0), all("turned and moved, stated exactly", 0.0)],
+    },
+    Group {
+        quantity: "pixels with other bits than without the thing that no ray meets",
+        source: "promised of every formula",
+        why: "A primitive's form depends on that primitive and the eye alone.",
+        cases: &[all("unseen things", 0.0).textbook(INSIDE)],
     },
     Group {
         quantity: "pixels with other bits than without the second statement",

@@ -5,8 +5,9 @@
 //! workshop.rs    the workshop's scene
 //! large.rs       large spheres: the ground, radii of 1e5 to 1e12
 //! distant.rs     tiny far spheres, grazing rays
+//! apart.rs       things of very different sizes and distances, narrow views from afar
 //! contact.rs     pairs with small gaps, shadows at a contact, the sphere just left
-//! invariance.rs  the scene moved, scaled, with every surface stated twice
+//! invariance.rs  the scene moved, turned, scaled, with what no ray meets, with every surface twice
 //! stiff.rs       mirrors between which errors grow
 //! mirrors.rs     paths of many reflections
 //! refusals.rs    what is not a scene
@@ -15,6 +16,7 @@
 //! scenes.rs      scenes that several of these use
 //! ```
 
+pub(crate) mod apart;
 pub(crate) mod contact;
 pub(crate) mod distant;
 pub(crate) mod edges;

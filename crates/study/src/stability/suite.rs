@@ -75,10 +75,11 @@ pub struct Experiment {
 }
 
 /// All, in the order of the report.
-pub const EXPERIMENTS: [Experiment; 9] = [
+pub const EXPERIMENTS: [Experiment; 10] = [
     Experiment { name: "workshop", run: cases::workshop::run },
     Experiment { name: "large", run: cases::large::run },
     Experiment { name: "distant", run: cases::distant::run },
+    Experiment { name: "apart", run: cases::apart::run },
     Experiment { name: "contact", run: cases::contact::run },
     Experiment { name: "invariance", run: cases::invariance::run },
     Experiment { name: "mirrors", run: cases::mirrors::run },
