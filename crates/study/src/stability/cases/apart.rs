@@ -128,7 +128,7 @@ fn oblique_views() -> Kind {
 
 fn small_balls() -> Kind {
     let mut scenes = Vec::new();
-    for (radius, distance) in [(0.1, 1e7), (1e-3, 1e5), (1e-9, 1.0), (10.0, 1e10), (1e3, 1e14)] {
+    for (radius, distance) in [(0.1, 1e7), (1e-3, 1e5), (1e-9, 1.0), (10.0, 1e10), (1e3, 1e11)] {
         for lamp_at_eye in [true, false] {
             scenes.extend(ways().map(|way| far_ball(way, radius, distance, lamp_at_eye)));
         }
