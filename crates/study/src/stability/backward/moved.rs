@@ -7,6 +7,7 @@ use catoptric_scene::family::Draws;
 use catoptric_scene::{Draft, Plane, Scene, Sphere};
 
 use super::narrow;
+use crate::metrics::larger;
 use crate::stability::exact;
 use crate::stability::generic::{across, along, direction, dot, norm, unit};
 
@@ -113,8 +114,4 @@ impl Eye {
         plane.normal = self.turned(normal, across(draws, normal));
         plane.point = along(self.position, plane.normal, raised);
     }
-}
-
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }

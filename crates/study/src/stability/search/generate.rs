@@ -4,7 +4,7 @@
 //! A subject, a sphere or a plane, and the eye at any distance from it: from far, from close to
 //! its surface, from inside. Up to four more things stand about it, about the eye, at what the eye
 //! sees of the subject, behind the eye, or around everything. Lamps stand near and far. The whole
-//! lies along the axes, or turned by whole numbers, or any way; with the eye at the origin, or the
+//! lies along the axes, or turned by neat numbers, or any way; with the eye at the origin, or the
 //! subject, or neither.
 
 use catoptric_scene::family::Draws;
@@ -12,8 +12,8 @@ use catoptric_scene::{Draft, Light, Material, Plane, Sphere};
 
 use super::super::generic::{across, along, direction, norm, unit};
 
-/// Unit vectors of whole-number ratios, exact in f64 or nearly.
-const RATIONAL: [[f64; 3]; 6] = [
+/// Neat unit vectors: ratios of whole numbers, and half a right angle.
+const NEAT: [[f64; 3]; 6] = [
     [0.6, 0.0, 0.8],
     [0.0, 0.28, -0.96],
     [1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0],
@@ -87,12 +87,12 @@ fn one<T: Copy, const N: usize>(draws: &mut Draws, of: [T; N]) -> T {
     of[usize::try_from(draws.below(N as u64)).expect("an index")]
 }
 
-/// Along an axis, by whole numbers, or any way.
+/// Along an axis, by neat numbers, or any way.
 fn orientation(draws: &mut Draws) -> [f64; 3] {
     let sign = one(draws, [-1.0, 1.0]);
     let way = match draws.below(6) {
         0 | 1 => one(draws, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
-        2 => one(draws, RATIONAL),
+        2 => one(draws, NEAT),
         _ => direction(draws),
     };
     way.map(|x| sign * x)
