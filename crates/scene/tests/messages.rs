@@ -239,6 +239,20 @@ fn long_lists_of_materials_are_shortened() {
     assert!(error.to_string().contains(" and 30 more (did you mean paint7?)"), "{error}");
 }
 
+/// A suggestion takes time with the square of the word, so words that no one would compare by eye
+/// get none: two names of 200 000 letters once took 12 seconds.
+#[test]
+fn very_long_words_get_no_suggestion() {
+    let error = |letters: usize| {
+        let known = "a".repeat(letters);
+        let text =
+            format!("[materials.{known}]\ncolor = [1, 1, 1]\n{SPHERE}material = \"{known}b\"");
+        toml(&text).unwrap_err().to_string()
+    };
+    assert!(error(60).contains("did you mean"), "{}", error(60));
+    assert!(!error(5_000).contains("did you mean"), "{} bytes", error(5_000).len());
+}
+
 #[test]
 fn long_lines_are_cut_around_the_place() {
     let lights = "{ position = [0, 0, 0] }, ".repeat(10_000);

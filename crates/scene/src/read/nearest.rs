@@ -1,11 +1,20 @@
 //! Which known word was probably meant, and how known words are listed.
 
+/// Letters of the longest word that is compared with the known ones.
+const LONGEST: usize = 64;
+
 /// The known word that was probably meant: the nearest one, if at most a third of the
 /// letters differ, or else one of which `word` is a part, as `depth` is of `max_depth`.
+///
+/// Words of more than [`LONGEST`] letters get no answer: nobody reads them letter by letter, and
+/// comparing them would take the square of their length. The time is linear in the known words.
 pub(super) fn nearest<'a>(
     word: &str,
     known: impl Iterator<Item = &'a str> + Clone,
 ) -> Option<&'a str> {
+    if word.chars().nth(LONGEST).is_some() {
+        return None;
+    }
     let longer = known.clone().find(|candidate| candidate.split('_').any(|part| part == word));
     let limit = word.chars().count().div_ceil(3);
     let near = known.map(|candidate| (distance(word, candidate, limit), candidate));
@@ -18,11 +27,10 @@ pub(super) fn nearest<'a>(
 /// Letters to insert, delete or exchange to make one word the other (Levenshtein), row by
 /// row; words whose lengths alone differ by more than the limit are not compared.
 fn distance(a: &str, b: &str, limit: usize) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let a_len = a.chars().count();
-    if a_len.abs_diff(b.len()) > limit {
+    if a.chars().count().abs_diff(b.chars().count()) > limit {
         return usize::MAX;
     }
+    let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, letter) in a.chars().enumerate() {
         let mut diagonal = row[0];
