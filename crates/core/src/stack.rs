@@ -233,6 +233,9 @@ impl<'a, S: Lane> Stack<'a, S> {
 
     /// Adds a quarter to what is full, or as much as is asked for, unless this stack or another was
     /// refused more. Out of line: it holds no lanes.
+    ///
+    /// While what is full is copied, the old and the new buffer exist together, so both count
+    /// against the budget; what was old is given back once it is gone.
     #[cold]
     #[inline(never)]
     fn grow(&mut self, rays: usize) -> bool {
@@ -240,18 +243,21 @@ impl<'a, S: Lane> Stack<'a, S> {
         let more_packets = if lacking > 0 { lacking.max(self.packets.len() / 4) } else { 0 };
         let full = self.depth + 1 >= self.levels.len();
         let more_levels = if full { self.levels.len().div_ceil(4) } else { 0 };
-        let bytes = more_packets * size_of::<Pending<S>>() + more_levels * size_of::<Level>();
-        let granted = !self.budget.is_refused() && self.budget.take(bytes);
-        if granted {
-            self.granted += bytes;
-        }
-        let grown = granted
+        let more = more_packets * size_of::<Pending<S>>() + more_levels * size_of::<Level>();
+        let old = copied(&self.packets, more_packets) + copied(&self.levels, more_levels);
+        let taken = !self.budget.is_refused() && self.budget.take(more + old);
+        let grown = taken
             && self.packets.try_reserve_exact(more_packets).is_ok()
             && self.levels.try_reserve_exact(more_levels).is_ok();
         if grown {
             self.packets.resize(self.packets.len() + more_packets, Pending::EMPTY);
             self.levels.resize(self.levels.len() + more_levels, Level::default());
+            self.budget.give_back(old);
+            self.granted += more;
         } else {
+            if taken {
+                self.budget.give_back(more + old);
+            }
             self.budget.refused.store(true, Ordering::Relaxed);
         }
         grown
@@ -375,6 +381,11 @@ impl<'a, S: Lane> Stack<'a, S> {
         let take = |level: &mut Level| std::mem::take(&mut level.count);
         Counts { depths: self.levels[..used].iter_mut().map(take).collect() }
     }
+}
+
+/// Bytes of a buffer that exist beside its copy while it takes more entries.
+fn copied<T>(buffer: &[T], more: usize) -> usize {
+    if more > 0 { size_of_val(buffer) } else { 0 }
 }
 
 /// The colour of a ray whose mirrored ray came back.
