@@ -88,7 +88,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
 }
 
 fn read(path: &Path) -> Result<Picture, Failure> {
-    Picture::parse(&input::name(path), &input::read(path, FILE_BYTES)?)
+    Picture::parse(&input::name(path), &input::read(path, FILE_BYTES, "no picture is longer")?)
 }
 
 /// Writes the difference image, which must not replace what is compared.

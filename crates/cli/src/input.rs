@@ -16,28 +16,38 @@ pub(crate) fn name(path: &Path) -> String {
     if is_stream(path) { "<stdin>".to_owned() } else { path.display().to_string() }
 }
 
-/// Reads a file, or stdin for `-`, of at most `limit` bytes.
+/// Reads a file, or stdin for `-`, of at most `limit` bytes. `advice` says what to do where that is
+/// too little.
 ///
 /// # Errors
-/// Exit code 3: missing, unreadable, or longer than the limit; no more than that is read.
-pub(crate) fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
+/// Exit code 3: missing, unreadable, longer than the limit, or than the system has memory for. No
+/// more than that is read.
+pub(crate) fn read(path: &Path, limit: u64, advice: &str) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     let read = if is_stream(path) {
-        read_at_most(io::stdin().lock(), limit, &mut bytes)
+        read_at_most(io::stdin().lock(), 0, limit, &mut bytes)
     } else {
-        File::open(path).and_then(|file| read_at_most(file, limit, &mut bytes))
+        File::open(path).and_then(|file| {
+            let length = file.metadata()?.len();
+            read_at_most(file, length, limit, &mut bytes)
+        })
     };
     let name = name(path);
     read.map_err(|error| Failure::bad_input(format_args!("{name} cannot be read: {error}")))?;
     if bytes.len() as u64 > limit {
         return Err(Failure::bad_input(format_args!(
-            "{name} has more than the {limit} bytes that the memory limit allows: raise --memory-limit"
+            "{name} has more than the {limit} bytes that the memory limit allows: {advice}"
         )));
     }
+    // What a pipe holds is not known before, so its buffer may be twice as large.
+    bytes.shrink_to_fit();
     Ok(bytes)
 }
 
-/// One byte past the limit tells that there is more.
-fn read_at_most(from: impl Read, limit: u64, to: &mut Vec<u8>) -> io::Result<usize> {
-    from.take(limit.saturating_add(1)).read_to_end(to)
+/// One byte past the limit tells that there is more. `length` is what is expected.
+fn read_at_most(from: impl Read, length: u64, limit: u64, to: &mut Vec<u8>) -> io::Result<usize> {
+    let most = limit.saturating_add(1);
+    let expected = usize::try_from(length.saturating_add(1).min(most)).unwrap_or(usize::MAX);
+    to.try_reserve_exact(expected)?;
+    from.take(most).read_to_end(to)
 }

@@ -39,6 +39,10 @@ pub(crate) enum Problem {
     Syntax(String),
     #[error("{0}")]
     Key(Fault),
+    #[error("reading it takes more than the {0} bytes of memory that the limit leaves for it")]
+    Limit(u64),
+    #[error("reading it needs {0} more bytes of memory, which the system does not grant")]
+    NotGranted(u64),
 }
 
 /// Where it is wrong.
@@ -69,6 +73,13 @@ impl SceneError {
         }
     }
 
+    /// Whether the scene is refused for the memory that reading it takes: more than the caller's
+    /// limit. Nothing else need be wrong with it.
+    #[must_use]
+    pub fn is_over_limit(&self) -> bool {
+        matches!(*self.problem, Problem::Limit(_))
+    }
+
     /// A problem of a whole file.
     pub(crate) fn of_file(file: &str, problem: Problem) -> Self {
         Self { file: Some(file.to_owned()), problem: Box::new(problem), place: Place::Unknown }
@@ -78,7 +89,12 @@ impl SceneError {
     pub(crate) fn fault(&self) -> Option<&Fault> {
         match self.problem.as_ref() {
             Problem::Key(fault) => Some(fault),
-            Problem::Empty | Problem::Utf16 | Problem::NotText(_) | Problem::Syntax(_) => None,
+            Problem::Empty
+            | Problem::Utf16
+            | Problem::NotText(_)
+            | Problem::Syntax(_)
+            | Problem::Limit(_)
+            | Problem::NotGranted(_) => None,
         }
     }
 
@@ -107,6 +123,12 @@ impl SceneError {
 impl From<Problem> for SceneError {
     fn from(problem: Problem) -> Self {
         Self { file: None, problem: Box::new(problem), place: Place::Unknown }
+    }
+}
+
+impl From<Fault> for Problem {
+    fn from(fault: Fault) -> Self {
+        Self::Key(fault)
     }
 }
 

@@ -1,12 +1,14 @@
 //! Text to scene.
 //!
-//! Both formats become one tree of values (`value`), which one reader turns into a
-//! [`Draft`] (`draft`, `table`), so that they cannot differ. The tree holds no places in
-//! the text: when a key is wrong, and only then, the text is parsed once more and the
-//! key's path walked in it (`locate` of `toml` and of `json`).
+//! Both formats become values (`value`), which one reader turns into a [`Draft`] (`draft`,
+//! `table`), so that they cannot differ. Lights, bodies and materials come one by one, and each is
+//! gone before the next: there is no tree of a whole scene, and what is kept is counted
+//! (`memory`). Values hold no places in the text: when a key is wrong, and only then, the text is
+//! parsed once more and the key's path walked in it (`locate` of `toml` and of `json`).
 
 mod draft;
 mod json;
+mod memory;
 mod nearest;
 mod table;
 mod text;
@@ -16,9 +18,11 @@ mod value;
 use std::ops::Range;
 use std::path::Path;
 
-use crate::error::{Fault, KeyPath, Problem, Segment, Target};
+use crate::error::{KeyPath, Problem, Segment, Target};
 use crate::validate::{validate_materials, validate_settings};
 use crate::{Draft, Material, Scene, SceneError};
+use draft::Reader;
+use memory::Memory;
 use value::Value;
 
 /// The language of a scene file.
@@ -72,14 +76,30 @@ impl Document {
     /// value of the wrong type, a required key that is missing, an unknown material, a
     /// material named and stated inline. Ranges are not checked here.
     pub fn parse(name: &str, bytes: &[u8], format: SceneFormat) -> Result<Self, SceneError> {
+        Self::parse_within(name, bytes.to_vec(), format, u64::MAX)
+    }
+
+    /// Reads a scene's text as [`Document::parse`] does, and takes at most `limit` bytes of memory
+    /// for it beside the text itself, which is not copied.
+    ///
+    /// # Errors
+    /// As for [`Document::parse`]; and more memory is needed than the limit, or than the system
+    /// grants. It has not been taken then.
+    pub fn parse_within(
+        name: &str,
+        bytes: Vec<u8>,
+        format: SceneFormat,
+        limit: u64,
+    ) -> Result<Self, SceneError> {
         let text = text::text(name, bytes)?;
-        let root = match format {
-            SceneFormat::Toml => toml::parse(name, text)?,
-            SceneFormat::Json => json::parse(name, text)?,
-        };
+        let mut reader = Reader::new(Memory::new(limit));
+        match format {
+            SceneFormat::Toml => toml::read(name, &text, &mut reader)?,
+            SceneFormat::Json => json::read(name, &text, &mut reader)?,
+        }
         let (draft, materials) =
-            draft::read(&root).map_err(|fault| locate_stated(name, text, format, fault))?;
-        Ok(Self { name: name.to_owned(), text: text.to_owned(), format, draft, materials })
+            reader.finish().map_err(|problem| locate_stated(name, &text, format, problem))?;
+        Ok(Self { name: name.to_owned(), text, format, draft, materials })
     }
 
     /// The name that messages use.
@@ -132,7 +152,10 @@ impl Document {
 
 /// Adds the place of what the text states wrongly. A key that is missing is shown at the
 /// table that lacks it.
-fn locate_stated(name: &str, text: &str, format: SceneFormat, fault: Fault) -> SceneError {
+fn locate_stated(name: &str, text: &str, format: SceneFormat, problem: Problem) -> SceneError {
+    let Problem::Key(fault) = problem else {
+        return SceneError::of_file(name, problem);
+    };
     let mut path = fault.path.clone();
     loop {
         if let Some(located) = locate(text, format, &path, fault.target) {

@@ -8,6 +8,7 @@ mod film;
 mod format;
 mod messages;
 mod overrides;
+mod parts;
 mod ranges;
 mod robustness;
 mod round_trip;

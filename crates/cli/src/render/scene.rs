@@ -1,6 +1,6 @@
 //! The scene that is asked for: read, overridden, validated.
 
-use catoptric_scene::{Material, Plane, Primitive, Scene, Sphere};
+use catoptric_scene::{Draft, Light, Plane, Scene, Sphere};
 
 use super::options::Options;
 use crate::exit::Failure;
@@ -8,7 +8,7 @@ use crate::exit::Failure;
 /// A valid scene.
 pub(super) struct Loaded {
     pub(super) scene: Scene,
-    /// Bytes that it takes: its text and its primitives, also in their compiled form.
+    /// Bytes that it takes at most: its text, what is stated, and what the engines make of it.
     pub(super) bytes: u64,
 }
 
@@ -17,12 +17,35 @@ pub(super) struct Loaded {
 /// # Errors
 /// Exit code 3.
 pub(super) fn load(options: &Options) -> Result<Loaded, Failure> {
-    let (mut document, text) = crate::scene::document(&options.scene, options.memory_limit.0)?;
+    let (mut document, text) =
+        crate::scene::document(&options.scene, options.memory_limit.0, "raise --memory-limit")?;
     options.override_scene(document.draft_mut());
     let scene = document.into_scene().map_err(Failure::bad_input)?;
-    let (spheres, planes) = (scene.spheres.len(), scene.planes.len());
-    let stated = spheres * size_of::<Sphere>() + planes * size_of::<Plane>();
-    let compiled = (spheres + planes) * (size_of::<Primitive>() + size_of::<Material>());
-    let bytes = (text + stated + compiled) as u64;
+    let bytes = text + stated(&scene) + made(&scene);
     Ok(Loaded { scene, bytes })
+}
+
+/// Bytes of a scene as stated.
+fn stated(scene: &Draft) -> u64 {
+    let lights = scene.lights.capacity() * size_of::<Light>();
+    let spheres = scene.spheres.capacity() * size_of::<Sphere>();
+    let planes = scene.planes.capacity() * size_of::<Plane>();
+    (lights + spheres + planes) as u64
+}
+
+/// Bytes that an engine makes of a sphere or plane, at most, while it compiles, plans and traces:
+/// measured where each has a material of its own, the most that there are.
+const BODY_BYTES: u64 = 320;
+
+/// The same of a light.
+const LIGHT_BYTES: u64 = 120;
+
+/// The same of a sphere and a light: the cones of their shadows.
+const PAIR_BYTES: u64 = 16;
+
+/// Bytes that an engine makes of a scene, at most.
+fn made(scene: &Draft) -> u64 {
+    let (lights, spheres) = (scene.lights.len() as u64, scene.spheres.len() as u64);
+    let bodies = spheres + scene.planes.len() as u64;
+    bodies * BODY_BYTES + lights * LIGHT_BYTES + lights * spheres * PAIR_BYTES
 }

@@ -1,11 +1,16 @@
 //! Values to draft: which keys there are, and their defaults.
+//!
+//! A scene arrives value by value, in any order: the settings, and each body and material on its
+//! own. So there is never a tree of the whole scene. A body that names a material may come before
+//! it; names are put in place at the end.
 
 use std::collections::BTreeMap;
 
+use super::memory::Memory;
 use super::nearest::list;
-use super::table::Table;
+use super::table::{Table, check_key};
 use super::value::Value;
-use crate::error::{Fault, Trail};
+use crate::error::{Fault, Problem, Trail};
 use crate::validate::allowed::{
     AMOUNT, COMPONENT, COORDINATE, DEPTH, FIELD_OF_VIEW, MIRROR, RADIUS, SIDE,
 };
@@ -14,35 +19,269 @@ use crate::{Camera, Draft, Image, Light, Material, Numerics, Plane, Render, Sphe
 const POINT: &str = "[x, y, z]";
 const RGB: &str = "[r, g, b]";
 const MATERIAL_KEYS: [&str; 5] = ["color", "diffuse", "specular", "shininess", "reflect"];
+const MATERIAL_NAME: &str = "the name of one of the materials";
 
-type Materials<'a> = BTreeMap<&'a str, Material>;
+/// The keys of the top level.
+pub(super) const KEYS: [&str; 7] =
+    ["image", "camera", "render", "lights", "materials", "spheres", "planes"];
 
-/// The draft that a file states, and all materials that it names, by name.
-pub(super) fn read(root: &Value) -> Result<(Draft, Vec<(String, Material)>), Fault> {
-    let top = Trail::Root;
-    let keys = ["image", "camera", "render", "lights", "materials", "spheres", "planes"];
-    let scene = Table::open(root, &top, &keys)?;
-    let materials = materials(&scene)?;
-    let draft = Draft {
-        image: scene.get("image").map_or(Ok(Image::default()), image)?,
-        camera: scene.get("camera").map_or(Ok(Camera::default()), camera)?,
-        render: scene.get("render").map_or(Ok(Render::default()), render)?,
-        lights: each(&scene, "lights", light)?,
-        spheres: each(&scene, "spheres", |entry| sphere(entry, &materials))?,
-        planes: each(&scene, "planes", |entry| plane(entry, &materials))?,
-    };
-    Ok((draft, materials.into_iter().map(|(name, made)| (name.to_owned(), made)).collect()))
+/// The key of the materials, a table of tables by name.
+pub(super) const MATERIALS: &str = "materials";
+
+/// The keys that hold lists of tables, read entry by entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum List {
+    Lights,
+    Spheres,
+    Planes,
 }
 
-/// Reads each table of an array.
-fn each<T>(
-    scene: &Table<'_>,
-    key: &str,
-    read: impl Fn((&Value, Trail<'_>)) -> Result<T, Fault>,
-) -> Result<Vec<T>, Fault> {
-    let trail = scene.trail.key(key);
-    let entries = scene.entries(key)?.iter().enumerate();
-    entries.map(|(index, entry)| read((entry, trail.index(index)))).collect()
+impl List {
+    /// The list of that key.
+    pub(super) fn of_key(key: &str) -> Option<Self> {
+        [Self::Lights, Self::Spheres, Self::Planes].into_iter().find(|list| list.key() == key)
+    }
+
+    pub(super) fn key(self) -> &'static str {
+        match self {
+            Self::Lights => "lights",
+            Self::Spheres => "spheres",
+            Self::Planes => "planes",
+        }
+    }
+}
+
+/// What a file states so far.
+pub(super) struct Reader {
+    draft: Draft,
+    memory: Memory,
+    /// The first fault. What comes after it is not read, only parsed: broken syntax comes first.
+    fault: Option<Fault>,
+    names: Names,
+    /// The materials that spheres and planes name; nothing for those that state their own.
+    of_spheres: Vec<Option<u32>>,
+    of_planes: Vec<Option<u32>>,
+}
+
+/// Materials by name: those that are stated, and those that bodies name.
+#[derive(Default)]
+struct Names {
+    numbers: BTreeMap<String, u32>,
+    stated: Vec<Option<Material>>,
+}
+
+/// Bytes that a name takes beside its letters: its entry, and its share of half-full nodes.
+const NAME_BYTES: u64 = 160;
+
+impl Names {
+    fn number(&mut self, name: &str, memory: &mut Memory) -> Result<u32, Problem> {
+        if let Some(&number) = self.numbers.get(name) {
+            return Ok(number);
+        }
+        memory.take(name.len() as u64 + NAME_BYTES)?;
+        let number = u32::try_from(self.stated.len()).expect("fewer than 2^32 names fit in memory");
+        memory.push(&mut self.stated, None)?;
+        self.numbers.insert(name.to_owned(), number);
+        Ok(number)
+    }
+
+    fn get(&self, number: u32) -> Option<Material> {
+        self.stated[number as usize]
+    }
+
+    /// Names that have a material, in order.
+    fn known(&self) -> Vec<&str> {
+        let stated = |&(_, &number): &(&String, &u32)| self.get(number).is_some();
+        self.numbers.iter().filter(stated).map(|(name, _)| name.as_str()).collect()
+    }
+}
+
+/// A body's material as stated.
+enum Stated {
+    Inline(Material),
+    Named(String),
+}
+
+impl Reader {
+    /// An empty scene with all its defaults.
+    pub(super) fn new(memory: Memory) -> Self {
+        Self {
+            draft: Draft::default(),
+            memory,
+            fault: None,
+            names: Names::default(),
+            of_spheres: Vec::new(),
+            of_planes: Vec::new(),
+        }
+    }
+
+    pub(super) fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    /// A key of the top level, before its value.
+    pub(super) fn key(&mut self, key: &str) {
+        self.keep(check_key(key, &Trail::Root, &KEYS));
+    }
+
+    /// The whole scene, where it is no table.
+    pub(super) fn not_a_table(&mut self, value: &Value) {
+        self.keep(Table::open(value, &Trail::Root, &KEYS).map(|_| ()));
+    }
+
+    /// A key of the top level that is read whole. Unknown ones were found by their key.
+    pub(super) fn setting(&mut self, key: &str, value: &Value) {
+        let trail = Trail::Root.key(key);
+        let at = (value, trail);
+        let read = match key {
+            "image" => image(at).map(|image| self.draft.image = image),
+            "camera" => camera(at).map(|camera| self.draft.camera = camera),
+            "render" => render(at).map(|render| self.draft.render = render),
+            MATERIALS => Err(Fault::new(
+                trail,
+                value.describe(),
+                "a table of materials by name, such as [materials.red] in TOML",
+            )),
+            _ => List::of_key(key).map_or(Ok(()), |list| {
+                let key = list.key();
+                let allowed = format!("an array of tables (in TOML, [[{key}]] before each)");
+                Err(Fault::new(trail, value.describe(), allowed))
+            }),
+        };
+        self.keep(read);
+    }
+
+    /// The next entry of a list.
+    ///
+    /// # Errors
+    /// The memory is not enough; faults are kept.
+    pub(super) fn entry(&mut self, list: List, value: &Value) -> Result<(), Problem> {
+        if self.fault.is_some() {
+            return Ok(());
+        }
+        let trail = Trail::Root.key(list.key());
+        let draft = &mut self.draft;
+        let read = match list {
+            List::Lights => light((value, trail.index(draft.lights.len())))
+                .map(|light| self.memory.push(&mut draft.lights, light)),
+            List::Spheres => {
+                sphere((value, trail.index(draft.spheres.len()))).map(|(sphere, stated)| {
+                    let named = stated.place(&mut self.names, &mut self.memory)?;
+                    self.memory.push(&mut self.of_spheres, named)?;
+                    self.memory.push(&mut draft.spheres, sphere)
+                })
+            }
+            List::Planes => {
+                plane((value, trail.index(draft.planes.len()))).map(|(plane, stated)| {
+                    let named = stated.place(&mut self.names, &mut self.memory)?;
+                    self.memory.push(&mut self.of_planes, named)?;
+                    self.memory.push(&mut draft.planes, plane)
+                })
+            }
+        };
+        match read {
+            Ok(pushed) => pushed,
+            Err(fault) => {
+                self.fault = Some(fault);
+                Ok(())
+            }
+        }
+    }
+
+    /// A material and its name; false if there is one of that name already.
+    ///
+    /// # Errors
+    /// The memory is not enough; faults are kept.
+    pub(super) fn material(&mut self, name: &str, value: &Value) -> Result<bool, Problem> {
+        let trail = Trail::Root.key(MATERIALS);
+        let trail = trail.key(name);
+        let table = Table::open(value, &trail, &MATERIAL_KEYS);
+        match table.and_then(|table| material(&table, RGB)) {
+            Ok(made) => {
+                let number = self.names.number(name, &mut self.memory)?;
+                let stated = &mut self.names.stated[number as usize];
+                Ok(stated.replace(made).is_none())
+            }
+            Err(fault) => {
+                self.keep(Err(fault));
+                Ok(true)
+            }
+        }
+    }
+
+    fn keep(&mut self, read: Result<(), Fault>) {
+        if let Err(fault) = read {
+            self.fault.get_or_insert(fault);
+        }
+    }
+
+    /// The draft that the file states, and all materials that it names, by name.
+    ///
+    /// # Errors
+    /// The first fault, or a material that is named and not there.
+    pub(super) fn finish(mut self) -> Result<(Draft, Vec<(String, Material)>), Problem> {
+        if let Some(fault) = self.fault {
+            return Err(fault.into());
+        }
+        let spheres = self.draft.spheres.iter_mut().map(|sphere| &mut sphere.material);
+        settle(List::Spheres, spheres, &self.of_spheres, &self.names)?;
+        let planes = self.draft.planes.iter_mut().map(|plane| &mut plane.material);
+        settle(List::Planes, planes, &self.of_planes, &self.names)?;
+        drop((self.of_spheres, self.of_planes));
+        let Names { numbers, stated } = self.names;
+        let mut materials = Vec::new();
+        for (name, number) in numbers {
+            if let Some(made) = stated[number as usize] {
+                self.memory.push(&mut materials, (name, made))?;
+            }
+        }
+        Ok((self.draft, materials))
+    }
+}
+
+/// Gives bodies the materials that they name.
+fn settle<'a>(
+    list_of: List,
+    bodies: impl Iterator<Item = &'a mut Material>,
+    named: &[Option<u32>],
+    names: &Names,
+) -> Result<(), Fault> {
+    for (index, (body, number)) in bodies.zip(named).enumerate() {
+        let Some(number) = *number else { continue };
+        *body = names.get(number).ok_or_else(|| {
+            let named = |&(_, &of): &(&String, &u32)| of == number;
+            let name = names.numbers.iter().find(named).map_or("", |(name, _)| name);
+            let known = names.known();
+            let allowed = if known.is_empty() {
+                format!("{MATERIAL_NAME}, and there are none")
+            } else {
+                format!("{MATERIAL_NAME}: {}", list(name, known.iter().copied()))
+            };
+            let trail = Trail::Root.key(list_of.key());
+            let trail = trail.index(index);
+            let found = Value::Text(name.to_owned()).describe();
+            Fault::new(trail.key("material"), found, allowed)
+        })?;
+    }
+    Ok(())
+}
+
+impl Stated {
+    /// The number of the name, if it is one.
+    fn place(self, names: &mut Names, memory: &mut Memory) -> Result<Option<u32>, Problem> {
+        match self {
+            Self::Inline(_) => Ok(None),
+            Self::Named(name) => names.number(&name, memory).map(Some),
+        }
+    }
+
+    /// The material, or one that is replaced at the end.
+    fn or_later(&self) -> Material {
+        match self {
+            Self::Inline(material) => *material,
+            Self::Named(_) => Material::matt([0.0; 3]),
+        }
+    }
 }
 
 fn image((value, trail): (&Value, Trail<'_>)) -> Result<Image, Fault> {
@@ -90,26 +329,24 @@ fn light((value, trail): (&Value, Trail<'_>)) -> Result<Light, Fault> {
     })
 }
 
-fn sphere((value, trail): (&Value, Trail<'_>), materials: &Materials<'_>) -> Result<Sphere, Fault> {
+fn sphere((value, trail): (&Value, Trail<'_>)) -> Result<(Sphere, Stated), Fault> {
     let table = Table::open(value, &trail, &body_keys(["center", "radius"]))?;
     let center = table.triple("center", POINT, &COORDINATE)?;
     let radius = table.number("radius", &RADIUS)?;
-    Ok(Sphere {
-        center: center.ok_or_else(|| table.missing("center", POINT))?,
-        radius: radius.ok_or_else(|| table.missing("radius", RADIUS.text))?,
-        material: body_material(&table, materials)?,
-    })
+    let center = center.ok_or_else(|| table.missing("center", POINT))?;
+    let radius = radius.ok_or_else(|| table.missing("radius", RADIUS.text))?;
+    let stated = body_material(&table)?;
+    Ok((Sphere { center, radius, material: stated.or_later() }, stated))
 }
 
-fn plane((value, trail): (&Value, Trail<'_>), materials: &Materials<'_>) -> Result<Plane, Fault> {
+fn plane((value, trail): (&Value, Trail<'_>)) -> Result<(Plane, Stated), Fault> {
     let table = Table::open(value, &trail, &body_keys(["point", "normal"]))?;
     let point = table.triple("point", POINT, &COORDINATE)?;
     let normal = table.triple("normal", POINT, &COMPONENT)?;
-    Ok(Plane {
-        point: point.ok_or_else(|| table.missing("point", POINT))?,
-        normal: normal.ok_or_else(|| table.missing("normal", POINT))?,
-        material: body_material(&table, materials)?,
-    })
+    let point = point.ok_or_else(|| table.missing("point", POINT))?;
+    let normal = normal.ok_or_else(|| table.missing("normal", POINT))?;
+    let stated = body_material(&table)?;
+    Ok((Plane { point, normal, material: stated.or_later() }, stated))
 }
 
 /// The keys of a body: its own two, `material`, and a material's keys.
@@ -119,18 +356,16 @@ fn body_keys([first, second]: [&'static str; 2]) -> [&'static str; 8] {
 }
 
 /// A body's material: named or inline, never both.
-fn body_material(table: &Table<'_>, materials: &Materials<'_>) -> Result<Material, Fault> {
-    let words = "the name of one of the materials";
+fn body_material(table: &Table<'_>) -> Result<Stated, Fault> {
     if let Some((found @ Value::Table(_), trail)) = table.get("material") {
         let keys = MATERIAL_KEYS.join(", ");
-        let allowed = format!("{words}; without one, {keys} stand beside the body's own keys");
+        let allowed =
+            format!("{MATERIAL_NAME}; without one, {keys} stand beside the body's own keys");
         return Err(Fault::new(trail, found.describe(), allowed));
     }
-    let Some(name) = table.text("material", words)? else {
-        return material(
-            table,
-            "[r, g, b] here, or `material` with the name of one of the materials",
-        );
+    let Some(name) = table.text("material", MATERIAL_NAME)? else {
+        let words = "[r, g, b] here, or `material` with the name of one of the materials";
+        return material(table, words).map(Stated::Inline);
     };
     if let Some(key) = MATERIAL_KEYS.into_iter().find(|key| table.get(key).is_some()) {
         let allowed = "either the name of a material or a material's keys inline, not both";
@@ -140,35 +375,7 @@ fn body_material(table: &Table<'_>, materials: &Materials<'_>) -> Result<Materia
             allowed,
         ));
     }
-    materials.get(name).copied().ok_or_else(|| {
-        let allowed = if materials.is_empty() {
-            format!("{words}, and there are none")
-        } else {
-            format!("{words}: {}", list(name, materials.keys().copied()))
-        };
-        Fault::new(table.trail.key("material"), Value::Text(name.to_owned()).describe(), allowed)
-    })
-}
-
-fn materials<'a>(scene: &Table<'a>) -> Result<Materials<'a>, Fault> {
-    let Some((value, trail)) = scene.get("materials") else {
-        return Ok(Materials::new());
-    };
-    let Value::Table(named) = value else {
-        return Err(Fault::new(
-            trail,
-            value.describe(),
-            "a table of materials by name, such as [materials.red] in TOML",
-        ));
-    };
-    named
-        .iter()
-        .map(|(name, value)| {
-            let trail = trail.key(name);
-            let table = Table::open(value, &trail, &MATERIAL_KEYS)?;
-            Ok((name.as_str(), material(&table, RGB)?))
-        })
-        .collect()
+    Ok(Stated::Named(name.to_owned()))
 }
 
 /// The keys of a material, wherever they stand.

@@ -1,29 +1,55 @@
-//! JSON text to values.
+//! JSON text to a draft, entry by entry.
 
-use std::collections::BTreeMap;
+mod locate;
+mod value;
+
 use std::fmt;
-use std::ops::Range;
 
-use serde::Deserialize;
-use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
-use serde_json::value::RawValue;
+use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
+pub(super) use locate::locate;
+
+use super::draft::{KEYS, List, MATERIALS, Reader};
 use super::text::starts_like_json;
-use super::{Located, Value, stands_for_array};
+use super::value::Value;
 use crate::SceneError;
-use crate::error::{Problem, Segment};
+use crate::error::Problem;
+use value::{ValueSeed, ValueVisitor};
 
-/// Parses a text. The parser refuses nesting deeper than 127, so recursion ends.
-pub(super) fn parse(name: &str, text: &str) -> Result<Value, SceneError> {
-    serde_json::from_str(text).map_err(|error| {
-        // The parser appends the place, which this program words itself.
-        let message = error.to_string();
-        let place = format!(" at line {} column {}", error.line(), error.column());
-        let message = message.strip_suffix(&place).unwrap_or(&message);
-        let byte = last_read(text, error.line(), error.column());
-        let message = explained(message, text, byte);
-        SceneError::from(Problem::Syntax(message)).at(name, text, byte)
-    })
+/// Reads a text. The parser refuses nesting deeper than 127, so recursion ends.
+pub(super) fn read(name: &str, text: &str, reader: &mut Reader) -> Result<(), SceneError> {
+    // Beside the entries there is at most one long text, for a moment.
+    let refused = |problem| SceneError::of_file(name, problem);
+    reader.memory().for_a_moment(text.len() as u64).map_err(refused)?;
+    let mut stopped = None;
+    let mut parser = serde_json::Deserializer::from_str(text);
+    let top = At { place: Place::Top, reader, stopped: &mut stopped };
+    let parsed = top.deserialize(&mut parser).and_then(|whole| {
+        parser.end()?;
+        Ok(whole)
+    });
+    if let Some(problem) = stopped {
+        return Err(refused(problem));
+    }
+    match parsed {
+        Ok(None) => Ok(()),
+        Ok(Some(value)) => {
+            reader.not_a_table(&value);
+            Ok(())
+        }
+        Err(error) => Err(broken(name, text, &error)),
+    }
+}
+
+/// Broken syntax, with its place.
+fn broken(name: &str, text: &str, error: &serde_json::Error) -> SceneError {
+    // The parser appends the place, which this program words itself.
+    let message = error.to_string();
+    let place = format!(" at line {} column {}", error.line(), error.column());
+    let message = message.strip_suffix(&place).unwrap_or(&message);
+    let byte = last_read(text, error.line(), error.column());
+    let message = explained(message, text, byte);
+    SceneError::from(Problem::Syntax(message)).at(name, text, byte)
 }
 
 /// The byte that a place of the parser's means: its lines count from 1, its columns are the
@@ -55,93 +81,126 @@ fn explained(message: &str, text: &str, byte: usize) -> String {
     }
 }
 
-/// Finds a key in a text that has been parsed before. A key itself is shown at its value.
-pub(super) fn locate(text: &str, path: &[Segment]) -> Option<Located> {
-    let mut raw: &RawValue = serde_json::from_str(text).ok()?;
-    for (depth, segment) in path.iter().enumerate() {
-        let inner = raw.get();
-        let child = match segment {
-            Segment::Key(key) if inner.starts_with('{') => {
-                serde_json::from_str::<BTreeMap<String, &RawValue>>(inner).ok()?.remove(key)
-            }
-            Segment::Index(index) if inner.starts_with('[') => {
-                serde_json::from_str::<Vec<&RawValue>>(inner).ok()?.get(*index).copied()
-            }
-            _ => {
-                let value = serde_json::from_str(inner).ok()?;
-                let found = stands_for_array(&value, &path[depth..]);
-                return found.then(|| Located { span: span(text, inner), value, depth });
-            }
-        };
-        raw = child?;
+/// Where in a scene a value stands whose parts are read one by one.
+#[derive(Clone, Copy)]
+enum Place {
+    Top,
+    List(List),
+    Materials,
+}
+
+/// Reads the value of a place, part by part; what is neither the table nor the list that belongs
+/// there comes back as it is.
+struct At<'a> {
+    place: Place,
+    reader: &'a mut Reader,
+    /// Why reading ended, where the text is not to blame.
+    stopped: &'a mut Option<Problem>,
+}
+
+impl At<'_> {
+    fn at(&mut self, place: Place) -> At<'_> {
+        At { place, reader: self.reader, stopped: self.stopped }
     }
-    let value = serde_json::from_str(raw.get()).ok()?;
-    Some(Located { span: span(text, raw.get()), value, depth: path.len() })
-}
 
-/// The bytes of a part that was borrowed from the text.
-fn span(text: &str, part: &str) -> Range<usize> {
-    let start = part.as_ptr() as usize - text.as_ptr() as usize;
-    start..start + part.len()
-}
-
-impl<'de> Deserialize<'de> for Value {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ValueVisitor)
+    /// Ends the parsing where the memory is not enough.
+    fn go_on<T, E: Error>(&mut self, read: Result<T, Problem>) -> Result<T, E> {
+        read.map_err(|problem| {
+            *self.stopped = Some(problem);
+            E::custom("no memory")
+        })
     }
 }
 
-struct ValueVisitor;
+fn twice<E: Error>(key: &str) -> E {
+    E::custom(format_args!("the key {key:?} is there twice"))
+}
 
-impl<'de> Visitor<'de> for ValueVisitor {
-    type Value = Value;
+impl<'de> DeserializeSeed<'de> for At<'_> {
+    type Value = Option<Value>;
+
+    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<Option<Value>, D::Error> {
+        from.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for At<'_> {
+    type Value = Option<Value>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("a value")
     }
 
-    fn visit_unit<E>(self) -> Result<Value, E> {
-        Ok(Value::Null)
+    fn visit_unit<E: Error>(self) -> Result<Option<Value>, E> {
+        ValueVisitor::TOP.visit_unit().map(Some)
     }
 
-    fn visit_bool<E>(self, value: bool) -> Result<Value, E> {
-        Ok(Value::Boolean(value))
+    fn visit_bool<E: Error>(self, value: bool) -> Result<Option<Value>, E> {
+        ValueVisitor::TOP.visit_bool(value).map(Some)
     }
 
-    fn visit_i64<E>(self, integer: i64) -> Result<Value, E> {
-        Ok(Value::Number { nearest: integer as f64, integer: Some(integer) })
+    fn visit_i64<E: Error>(self, integer: i64) -> Result<Option<Value>, E> {
+        ValueVisitor::TOP.visit_i64(integer).map(Some)
     }
 
-    fn visit_u64<E>(self, integer: u64) -> Result<Value, E> {
-        Ok(Value::Number { nearest: integer as f64, integer: i64::try_from(integer).ok() })
+    fn visit_u64<E: Error>(self, integer: u64) -> Result<Option<Value>, E> {
+        ValueVisitor::TOP.visit_u64(integer).map(Some)
     }
 
-    fn visit_f64<E>(self, nearest: f64) -> Result<Value, E> {
-        Ok(Value::Number { nearest, integer: None })
+    fn visit_f64<E: Error>(self, nearest: f64) -> Result<Option<Value>, E> {
+        ValueVisitor::TOP.visit_f64(nearest).map(Some)
     }
 
-    fn visit_str<E>(self, text: &str) -> Result<Value, E> {
-        Ok(Value::Text(text.to_owned()))
+    fn visit_str<E: Error>(self, text: &str) -> Result<Option<Value>, E> {
+        ValueVisitor::TOP.visit_str(text).map(Some)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut entries: A) -> Result<Value, A::Error> {
-        let mut values = Vec::new();
-        while let Some(value) = entries.next_element()? {
-            values.push(value);
+    fn visit_seq<A: SeqAccess<'de>>(mut self, mut entries: A) -> Result<Option<Value>, A::Error> {
+        let Place::List(list) = self.place else {
+            return ValueVisitor::TOP.visit_seq(entries).map(Some);
+        };
+        while let Some(value) = entries.next_element_seed(ValueSeed::TOP)? {
+            let read = self.reader.entry(list, &value);
+            self.go_on(read)?;
         }
-        Ok(Value::Array(values))
+        Ok(None)
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Value, A::Error> {
-        let mut table = BTreeMap::new();
-        while let Some(key) = entries.next_key::<String>()? {
-            // Serde would keep the last of two equal keys without a word.
-            if table.contains_key(&key) {
-                return Err(A::Error::custom(format_args!("the key {key:?} is there twice")));
+    fn visit_map<A: MapAccess<'de>>(mut self, mut entries: A) -> Result<Option<Value>, A::Error> {
+        match self.place {
+            Place::List(_) => return ValueVisitor::TOP.visit_map(entries).map(Some),
+            Place::Materials => {
+                while let Some(name) = entries.next_key::<String>()? {
+                    let value = entries.next_value_seed(ValueSeed::TOP)?;
+                    let read = self.reader.material(&name, &value);
+                    if !self.go_on(read)? {
+                        return Err(twice(&name));
+                    }
+                }
             }
-            let value = entries.next_value()?;
-            table.insert(key, value);
+            Place::Top => {
+                let mut seen = [false; KEYS.len()];
+                while let Some(key) = entries.next_key::<String>()? {
+                    self.reader.key(&key);
+                    if let Some(known) = KEYS.iter().position(|known| *known == key)
+                        && std::mem::replace(&mut seen[known], true)
+                    {
+                        return Err(twice(&key));
+                    }
+                    let place = match List::of_key(&key) {
+                        Some(list) => Some(Place::List(list)),
+                        None => (key == MATERIALS).then_some(Place::Materials),
+                    };
+                    let value = match place {
+                        Some(place) => entries.next_value_seed(self.at(place))?,
+                        None => Some(entries.next_value_seed(ValueSeed::TOP)?),
+                    };
+                    if let Some(value) = value {
+                        self.reader.setting(&key, &value);
+                    }
+                }
+            }
         }
-        Ok(Value::Table(table))
+        Ok(None)
     }
 }

@@ -26,10 +26,7 @@ impl<'a> Table<'a> {
             return Err(Fault::new(*trail, value.describe(), allowed));
         };
         for key in entries.keys() {
-            if !known.contains(&key.as_str()) {
-                let allowed = list(key, known.iter().copied());
-                return Err(Fault::key(trail.key(key), "an unknown key".to_owned(), allowed));
-            }
+            check_key(key, trail, known)?;
         }
         Ok(Self { trail, entries })
     }
@@ -42,18 +39,6 @@ impl<'a> Table<'a> {
     /// The path of a required key that is missing, as a fault.
     pub(super) fn missing(&self, key: &str, allowed: impl Into<String>) -> Fault {
         Fault::new(self.trail.key(key), "nothing, and it is required".to_owned(), allowed)
-    }
-
-    /// The entries of an array with their index; none where the key is absent.
-    pub(super) fn entries(&self, key: &'a str) -> Result<&'a [Value], Fault> {
-        match self.get(key) {
-            None => Ok(&[]),
-            Some((Value::Array(entries), _)) => Ok(entries),
-            Some((other, trail)) => {
-                let allowed = format!("an array of tables (in TOML, [[{key}]] before each)");
-                Err(Fault::new(trail, other.describe(), allowed))
-            }
-        }
     }
 
     /// A number; an integer is one too.
@@ -136,6 +121,15 @@ impl<'a> Table<'a> {
     }
 }
 
+/// Whether a table may have that key.
+pub(super) fn check_key(key: &str, trail: &Trail<'_>, known: &[&'static str]) -> Result<(), Fault> {
+    if known.contains(&key) {
+        return Ok(());
+    }
+    let allowed = list(key, known.iter().copied());
+    Err(Fault::key(trail.key(key), "an unknown key".to_owned(), allowed))
+}
+
 fn three(
     value: &Value,
     trail: Trail<'_>,
@@ -143,11 +137,11 @@ fn three(
     allowed: &Allowed,
 ) -> Result<[f64; 3], Fault> {
     let text = || format!("{names}, each {}", allowed.text);
-    let Value::Array(entries) = value else {
+    let Value::Array { first, .. } = value else {
         return Err(Fault::new(trail, value.describe(), text()));
     };
     let entries: &[Value; 3] =
-        entries.as_slice().try_into().map_err(|_| Fault::new(trail, value.describe(), text()))?;
+        first.as_slice().try_into().map_err(|_| Fault::new(trail, value.describe(), text()))?;
     let mut numbers = [0.0; 3];
     for (index, (number, entry)) in numbers.iter_mut().zip(entries).enumerate() {
         let Value::Number { nearest, .. } = entry else {

@@ -9,25 +9,23 @@ const BYTE_ORDER_MARK: &str = "\u{feff}";
 ///
 /// # Errors
 /// Not UTF-8, a byte 0, which neither format can hold, or nothing but white space.
-pub(super) fn text<'a>(name: &str, bytes: &'a [u8]) -> Result<&'a str, SceneError> {
+pub(super) fn text(name: &str, bytes: Vec<u8>) -> Result<String, SceneError> {
     let refused = |problem| Err(SceneError::of_file(name, problem));
     // UTF-16 has a byte 0 beside each ASCII letter, and most often a mark in front.
-    if matches!(bytes, [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, 1..=255, ..] | [1..=255, 0, ..]) {
+    if matches!(*bytes, [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, 1..=255, ..] | [1..=255, 0, ..]) {
         return refused(Problem::Utf16);
     }
-    let text = match std::str::from_utf8(bytes) {
+    let mut text = match String::from_utf8(bytes) {
         Ok(text) => text,
-        Err(error) => return refused(Problem::NotText(error.valid_up_to())),
+        Err(error) => return refused(Problem::NotText(error.utf8_error().valid_up_to())),
     };
-    if let Some(at) = bytes.iter().position(|&byte| byte == 0) {
+    if let Some(at) = text.bytes().position(|byte| byte == 0) {
         return refused(Problem::NotText(at));
     }
-    let text = without_mark(text);
+    if text.starts_with(BYTE_ORDER_MARK) {
+        text.drain(..BYTE_ORDER_MARK.len());
+    }
     if text.trim().is_empty() { refused(Problem::Empty) } else { Ok(text) }
-}
-
-fn without_mark(text: &str) -> &str {
-    text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text)
 }
 
 /// Whether the first byte that is not blank is `{`.

@@ -1,33 +1,123 @@
-//! TOML text to values.
+//! TOML text to a draft, part by part.
+//!
+//! The parser makes a tree of all that it is given, fifty times as large as its text. So a long
+//! text is cut into parts between its tables (`parts`), each a TOML text of its own, and one of
+//! them is parsed at a time.
+
+mod parts;
+mod value;
+
+use std::ops::Range;
 
 use ::toml::Spanned;
-use ::toml::de::{DeFloat, DeInteger, DeTable, DeValue};
+use ::toml::de::{DeTable, DeValue, Error};
 
+use super::draft::{KEYS, List, MATERIALS, Reader};
+use super::memory::Memory;
 use super::text::starts_like_json;
-use super::{Located, Value, stands_for_array};
+use super::{Located, stands_for_array};
 use crate::SceneError;
 use crate::error::{Problem, Segment, Target};
+use parts::{Part, parts};
+use value::value;
 
-/// Parses a text. The parser refuses nesting deeper than 80, so the recursion below ends.
-pub(super) fn parse(name: &str, text: &str) -> Result<Value, SceneError> {
-    match DeTable::parse(text) {
-        Ok(root) => Ok(table(root.into_inner())),
-        Err(error) => {
-            let mut message = error.message().to_owned();
-            if starts_like_json(text.as_bytes()) {
-                message += "; the file looks like JSON, which needs a name that ends in .json";
-            }
-            let problem = SceneError::from(Problem::Syntax(message));
-            Err(problem.shown(name, text, error.span().unwrap_or(0..0)))
-        }
+/// Reads a text. The parser refuses nesting deeper than 80, so recursion over values ends.
+pub(super) fn read(name: &str, text: &str, reader: &mut Reader) -> Result<(), SceneError> {
+    let refused = |problem| SceneError::of_file(name, problem);
+    let broken = |message: String, place: Range<usize>| {
+        SceneError::from(Problem::Syntax(message)).shown(name, text, place)
+    };
+    for part in parts(text, reader.memory()).map_err(refused)? {
+        reader.memory().for_a_moment(part.cost()).map_err(refused)?;
+        let own = part.text(text);
+        let root = DeTable::parse(&own).map_err(|error| {
+            broken(explained(&error, text), part.place(error.span().unwrap_or(0..0)))
+        })?;
+        read_part(root.into_inner(), reader).map_err(|stop| match stop {
+            Stop::Problem(problem) => refused(problem),
+            // As the parser says it of two in one part.
+            Stop::Twice(key) => broken("duplicate key".to_owned(), part.place(key)),
+        })?;
     }
+    Ok(())
 }
 
-/// Finds a key in a text that has been parsed before.
+/// The parser's message, for those who do not know how it reads.
+fn explained(error: &Error, text: &str) -> String {
+    let mut message = error.message().to_owned();
+    if starts_like_json(text.as_bytes()) {
+        message += "; the file looks like JSON, which needs a name that ends in .json";
+    }
+    message
+}
+
+/// Why reading ends before the text does.
+enum Stop {
+    Problem(Problem),
+    /// A material has the name of one in another part.
+    Twice(Range<usize>),
+}
+
+fn read_part(mut root: DeTable<'_>, reader: &mut Reader) -> Result<(), Stop> {
+    for key in root.keys() {
+        reader.key(key.get_ref());
+    }
+    for key in KEYS {
+        let Some(found) = root.remove(key) else { continue };
+        match (found.into_inner(), List::of_key(key)) {
+            (DeValue::Array(entries), Some(list)) => {
+                for entry in entries {
+                    reader.entry(list, &value(entry.into_inner())).map_err(Stop::Problem)?;
+                }
+            }
+            (DeValue::Table(named), None) if key == MATERIALS => {
+                for (name, stated) in named {
+                    let stated = value(stated.into_inner());
+                    let new = reader.material(name.get_ref(), &stated);
+                    if !new.map_err(Stop::Problem)? {
+                        return Err(Stop::Twice(name.span()));
+                    }
+                }
+            }
+            (other, _) => reader.setting(key, &value(other)),
+        }
+    }
+    Ok(())
+}
+
+/// Finds a key in a text that has been read before.
 pub(super) fn locate(text: &str, path: &[Segment], target: Target) -> Option<Located> {
-    let root = DeTable::parse(text).ok()?;
+    let mut path = path.to_vec();
+    for part in parts(text, &Memory::new(u64::MAX)).ok()? {
+        let own = part.text(text);
+        let root = DeTable::parse(&own).ok()?;
+        // The entries of a list are in several parts, one after another.
+        if let [Segment::Key(key), Segment::Index(index), ..] = path.as_mut_slice()
+            && let Some(found) = root.get_ref().get(key.as_str())
+            && let DeValue::Array(entries) = found.get_ref()
+        {
+            if *index < entries.len() {
+                return locate_in(&part, root, &path, target);
+            }
+            *index -= entries.len();
+            continue;
+        }
+        if let Some(located) = locate_in(&part, root, &path, target) {
+            return Some(located);
+        }
+    }
+    None
+}
+
+fn locate_in(
+    part: &Part,
+    root: Spanned<DeTable<'_>>,
+    path: &[Segment],
+    target: Target,
+) -> Option<Located> {
     let mut span = root.span();
     let mut at = &DeValue::Table(root.into_inner());
+    let located = |span, value, depth| Located { span: part.place(span), value, depth };
     for (depth, segment) in path.iter().enumerate() {
         let child = match (segment, at) {
             (Segment::Key(key), DeValue::Table(entries)) => {
@@ -43,52 +133,10 @@ pub(super) fn locate(text: &str, path: &[Segment], target: Target) -> Option<Loc
             _ => {
                 let value = value(at.clone());
                 let found = stands_for_array(&value, &path[depth..]);
-                return found.then_some(Located { span, value, depth });
+                return found.then(|| located(span, value, depth));
             }
         };
         at = child.get_ref();
     }
-    Some(Located { span, value: value(at.clone()), depth: path.len() })
-}
-
-fn table(entries: DeTable<'_>) -> Value {
-    let entry = |(key, inner): (Spanned<_>, Spanned<_>)| {
-        (String::from(key.into_inner()), value(inner.into_inner()))
-    };
-    Value::Table(entries.into_iter().map(entry).collect())
-}
-
-fn value(parsed: DeValue<'_>) -> Value {
-    match parsed {
-        DeValue::String(text) => Value::Text(text.into_owned()),
-        DeValue::Integer(digits) => integer(&digits),
-        DeValue::Float(digits) => float(&digits),
-        DeValue::Boolean(value) => Value::Boolean(value),
-        DeValue::Datetime(date) => Value::Date(date.to_string()),
-        DeValue::Array(entries) => {
-            Value::Array(entries.into_iter().map(|entry| value(entry.into_inner())).collect())
-        }
-        DeValue::Table(entries) => table(entries),
-    }
-}
-
-/// The parser has checked the digits and taken out the underscores and the prefix.
-fn integer(digits: &DeInteger<'_>) -> Value {
-    match i64::from_str_radix(digits.as_str(), digits.radix()) {
-        Ok(integer) => Value::Number { nearest: integer as f64, integer: Some(integer) },
-        // Longer than i64: still a number where any number will do.
-        Err(_) if digits.radix() == 10 => {
-            Value::Number { nearest: parsed(digits.as_str()), integer: None }
-        }
-        Err(_) => Value::Number { nearest: f64::INFINITY, integer: None },
-    }
-}
-
-/// A number too large for f64 becomes infinite, and is refused with the ranges.
-fn float(digits: &DeFloat<'_>) -> Value {
-    Value::Number { nearest: parsed(digits.as_str()), integer: None }
-}
-
-fn parsed(digits: &str) -> f64 {
-    digits.parse().unwrap_or(f64::NAN)
+    Some(located(span, value(at.clone()), path.len()))
 }

@@ -18,11 +18,19 @@ pub(super) enum Value {
     Text(String),
     /// TOML only, as written.
     Date(String),
-    Array(Vec<Value>),
+    /// Its first entries, [`Value::KEPT`] at most, and how many it has: no key of a scene takes
+    /// more of them, but for the lists of bodies, which are read entry by entry.
+    Array {
+        first: Vec<Value>,
+        len: usize,
+    },
     Table(BTreeMap<String, Value>),
 }
 
 impl Value {
+    /// Entries of an array that are kept. Messages show arrays of so many in full.
+    pub(super) const KEPT: usize = 4;
+
     /// The value as messages name it: a number or a short list of numbers in full.
     pub(super) fn describe(&self) -> String {
         match self {
@@ -35,13 +43,13 @@ impl Value {
                 format!("{start:?}... (shortened)")
             }
             Self::Date(text) => format!("the date {text}"),
-            Self::Array(values) => {
-                let numbers = values.iter().all(|value| matches!(value, Self::Number { .. }));
-                if numbers && values.len() <= 4 {
-                    let inside: Vec<_> = values.iter().map(Self::describe).collect();
+            Self::Array { first, len } => {
+                let numbers = first.iter().all(|value| matches!(value, Self::Number { .. }));
+                if numbers && first.len() == *len {
+                    let inside: Vec<_> = first.iter().map(Self::describe).collect();
                     format!("[{}]", inside.join(", "))
                 } else {
-                    format!("an array of {}", values.len())
+                    format!("an array of {len}")
                 }
             }
             Self::Table(_) => "a table".to_owned(),
