@@ -9,6 +9,7 @@ mod explain;
 mod formats;
 mod generate;
 mod limits;
+mod memory;
 mod numbers;
 mod outputs;
 mod program;

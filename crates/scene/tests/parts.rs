@@ -137,12 +137,7 @@ fn faults_in_late_parts_have_their_place() {
             "materials.m1499.x: found an unknown key",
             "x]\ncolor",
         ),
-        (
-            "[materials.m1500]",
-            "[spheres.x]",
-            "spheres[1500].x: found an unknown key",
-            "x]\ncolor",
-        ),
+        ("[materials.m1500]", "[spheres.x]", "spheres[1500].x: found an unknown key", "x]\ncolor"),
         (s1500, "center = [0, 0 -1500.5]\nradius = 1", "", "-1500.5]"),
         (s1500, "center = [0, 0, -1500.5]\nradius = = 1", "", "= = 1"),
         ("position = [0, 1900, 0]", "position = [0, 1e16, 0]", "lights[19].position[1]", "1e16"),
@@ -161,7 +156,12 @@ fn faults_in_late_parts_have_their_place() {
         ),
         ("-1500.5], radius = 1", "-1500.5], radius = 1 2", "", "2, material"),
         ("-1500.5], radius = 1", "-1500.5, radius = 1", "", "= 1, material = \"m1500\""),
-        ("spheres = [", "[[spheres]]\ncenter = [", "spheres[0].center: found an array of 2000", "[ # all"),
+        (
+            "spheres = [",
+            "[[spheres]]\ncenter = [",
+            "spheres[0].center: found an array of 2000",
+            "[ # all",
+        ),
         ("\"m1500\"", "5", "spheres[1500].material: found 5", "5 }"),
     ];
     let long = [(tables(), of_tables), (inline(), of_inline)];

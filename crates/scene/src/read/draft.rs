@@ -96,12 +96,6 @@ impl Names {
     }
 }
 
-/// A body's material as stated.
-enum Stated {
-    Inline(Material),
-    Named(String),
-}
-
 impl Reader {
     /// An empty scene with all its defaults.
     pub(super) fn new(memory: Memory) -> Self {
@@ -160,31 +154,32 @@ impl Reader {
             return Ok(());
         }
         let trail = Trail::Root.key(list.key());
-        let draft = &mut self.draft;
+        let Self { draft, memory, names, .. } = self;
         let read = match list {
             List::Lights => light((value, trail.index(draft.lights.len())))
-                .map(|light| self.memory.push(&mut draft.lights, light)),
+                .map_err(Problem::from)
+                .and_then(|light| memory.push(&mut draft.lights, light)),
             List::Spheres => {
-                sphere((value, trail.index(draft.spheres.len()))).map(|(sphere, stated)| {
-                    let named = stated.place(&mut self.names, &mut self.memory)?;
-                    self.memory.push(&mut self.of_spheres, named)?;
-                    self.memory.push(&mut draft.spheres, sphere)
+                let at = (value, trail.index(draft.spheres.len()));
+                sphere(at, names, memory).and_then(|(sphere, named)| {
+                    memory.push(&mut self.of_spheres, named)?;
+                    memory.push(&mut draft.spheres, sphere)
                 })
             }
             List::Planes => {
-                plane((value, trail.index(draft.planes.len()))).map(|(plane, stated)| {
-                    let named = stated.place(&mut self.names, &mut self.memory)?;
-                    self.memory.push(&mut self.of_planes, named)?;
-                    self.memory.push(&mut draft.planes, plane)
+                let at = (value, trail.index(draft.planes.len()));
+                plane(at, names, memory).and_then(|(plane, named)| {
+                    memory.push(&mut self.of_planes, named)?;
+                    memory.push(&mut draft.planes, plane)
                 })
             }
         };
         match read {
-            Ok(pushed) => pushed,
-            Err(fault) => {
+            Err(Problem::Key(fault)) => {
                 self.fault = Some(fault);
                 Ok(())
             }
+            read => read,
         }
     }
 
@@ -266,24 +261,6 @@ fn settle<'a>(
     Ok(())
 }
 
-impl Stated {
-    /// The number of the name, if it is one.
-    fn place(self, names: &mut Names, memory: &mut Memory) -> Result<Option<u32>, Problem> {
-        match self {
-            Self::Inline(_) => Ok(None),
-            Self::Named(name) => names.number(&name, memory).map(Some),
-        }
-    }
-
-    /// The material, or one that is replaced at the end.
-    fn or_later(&self) -> Material {
-        match self {
-            Self::Inline(material) => *material,
-            Self::Named(_) => Material::matt([0.0; 3]),
-        }
-    }
-}
-
 fn image((value, trail): (&Value, Trail<'_>)) -> Result<Image, Fault> {
     let table = Table::open(value, &trail, &["width", "height", "transfer"])?;
     let default = Image::default();
@@ -329,24 +306,34 @@ fn light((value, trail): (&Value, Trail<'_>)) -> Result<Light, Fault> {
     })
 }
 
-fn sphere((value, trail): (&Value, Trail<'_>)) -> Result<(Sphere, Stated), Fault> {
+/// A sphere, and the number of the material that it names.
+fn sphere(
+    (value, trail): (&Value, Trail<'_>),
+    names: &mut Names,
+    memory: &mut Memory,
+) -> Result<(Sphere, Option<u32>), Problem> {
     let table = Table::open(value, &trail, &body_keys(["center", "radius"]))?;
     let center = table.triple("center", POINT, &COORDINATE)?;
     let radius = table.number("radius", &RADIUS)?;
     let center = center.ok_or_else(|| table.missing("center", POINT))?;
     let radius = radius.ok_or_else(|| table.missing("radius", RADIUS.text))?;
-    let stated = body_material(&table)?;
-    Ok((Sphere { center, radius, material: stated.or_later() }, stated))
+    let (material, named) = body_material(&table, names, memory)?;
+    Ok((Sphere { center, radius, material }, named))
 }
 
-fn plane((value, trail): (&Value, Trail<'_>)) -> Result<(Plane, Stated), Fault> {
+/// A plane, and the number of the material that it names.
+fn plane(
+    (value, trail): (&Value, Trail<'_>),
+    names: &mut Names,
+    memory: &mut Memory,
+) -> Result<(Plane, Option<u32>), Problem> {
     let table = Table::open(value, &trail, &body_keys(["point", "normal"]))?;
     let point = table.triple("point", POINT, &COORDINATE)?;
     let normal = table.triple("normal", POINT, &COMPONENT)?;
     let point = point.ok_or_else(|| table.missing("point", POINT))?;
     let normal = normal.ok_or_else(|| table.missing("normal", POINT))?;
-    let stated = body_material(&table)?;
-    Ok((Plane { point, normal, material: stated.or_later() }, stated))
+    let (material, named) = body_material(&table, names, memory)?;
+    Ok((Plane { point, normal, material }, named))
 }
 
 /// The keys of a body: its own two, `material`, and a material's keys.
@@ -355,17 +342,22 @@ fn body_keys([first, second]: [&'static str; 2]) -> [&'static str; 8] {
     [first, second, "material", color, diffuse, specular, shininess, reflect]
 }
 
-/// A body's material: named or inline, never both.
-fn body_material(table: &Table<'_>) -> Result<Stated, Fault> {
+/// A body's material: inline, or the number of the one that it names, never both. A named one is
+/// put in place at the end.
+fn body_material(
+    table: &Table<'_>,
+    names: &mut Names,
+    memory: &mut Memory,
+) -> Result<(Material, Option<u32>), Problem> {
     if let Some((found @ Value::Table(_), trail)) = table.get("material") {
         let keys = MATERIAL_KEYS.join(", ");
         let allowed =
             format!("{MATERIAL_NAME}; without one, {keys} stand beside the body's own keys");
-        return Err(Fault::new(trail, found.describe(), allowed));
+        return Err(Fault::new(trail, found.describe(), allowed).into());
     }
     let Some(name) = table.text("material", MATERIAL_NAME)? else {
         let words = "[r, g, b] here, or `material` with the name of one of the materials";
-        return material(table, words).map(Stated::Inline);
+        return Ok((material(table, words)?, None));
     };
     if let Some(key) = MATERIAL_KEYS.into_iter().find(|key| table.get(key).is_some()) {
         let allowed = "either the name of a material or a material's keys inline, not both";
@@ -373,9 +365,10 @@ fn body_material(table: &Table<'_>) -> Result<Stated, Fault> {
             table.trail.key(key),
             format!("both `{key}` and `material`"),
             allowed,
-        ));
+        )
+        .into());
     }
-    Ok(Stated::Named(name.to_owned()))
+    Ok((Material::matt([0.0; 3]), Some(names.number(name, memory)?)))
 }
 
 /// The keys of a material, wherever they stand.
