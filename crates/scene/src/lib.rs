@@ -31,4 +31,5 @@ pub use read::{Document, SceneFormat};
 pub use scalar::{Scalar, Wider};
 pub use scene::Scene;
 pub use validate::MOST_PRIMITIVES;
+pub use validate::allowed;
 pub use view::{Crop, Grid, View, ViewError};

@@ -3,10 +3,11 @@
 //! Checks run in the order of the format, so that a message is about the first key that is
 //! wrong, and later checks may rely on earlier ones.
 
-pub(crate) mod allowed;
+pub mod allowed;
 mod camera;
 mod material;
 
+use crate::direction::unit;
 use crate::error::{Fault, Trail, number};
 use crate::{Draft, Material, SceneError};
 use allowed::{AMOUNT, Allowed, COMPONENT, COORDINATE, LIGHT, RADIUS, SIDE};
@@ -62,7 +63,7 @@ fn validate_bodies(draft: &Draft) -> Result<(), Fault> {
     let bodies = draft.spheres.len() + draft.planes.len();
     if bodies > MOST_PRIMITIVES {
         let found = format!("{bodies} spheres and planes");
-        return Err(Fault::new(spheres, found, "at most 4000000 of them"));
+        return Err(Fault::new(spheres, found, format!("at most {MOST_PRIMITIVES} of them")));
     }
     let brightest = Brightest::of(draft);
     for (index, sphere) in draft.spheres.iter().enumerate() {
@@ -75,11 +76,7 @@ fn validate_bodies(draft: &Draft) -> Result<(), Fault> {
     for (index, plane) in draft.planes.iter().enumerate() {
         let trail = planes.index(index);
         triple(trail.key("point"), plane.point, &COORDINATE)?;
-        triple(trail.key("normal"), plane.normal, &COMPONENT)?;
-        if crate::direction::unit(plane.normal).is_none() {
-            let found = list(plane.normal);
-            return Err(Fault::new(trail.key("normal"), found, "a direction that is not zero"));
-        }
+        direction(trail.key("normal"), plane.normal)?;
         material::material(trail, &plane.material, &brightest)?;
     }
     Ok(())
@@ -93,6 +90,12 @@ fn one(trail: Trail<'_>, x: f64, allowed: &Allowed) -> Result<(), Fault> {
 /// Three numbers, each in that range; the message is about the one that is not.
 fn triple(trail: Trail<'_>, v: [f64; 3], allowed: &Allowed) -> Result<(), Fault> {
     v.into_iter().enumerate().try_for_each(|(axis, x)| one(trail.index(axis), x, allowed))
+}
+
+/// A direction of any length but zero, as a unit vector.
+fn direction(trail: Trail<'_>, v: [f64; 3]) -> Result<[f64; 3], Fault> {
+    triple(trail, v, &COMPONENT)?;
+    unit(v).ok_or_else(|| Fault::new(trail, list(v), "a direction that is not zero"))
 }
 
 /// Three numbers as messages show them.

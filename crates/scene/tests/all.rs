@@ -10,6 +10,7 @@ mod messages;
 mod overrides;
 mod parts;
 mod ranges;
+mod reference;
 mod robustness;
 mod round_trip;
 mod view;

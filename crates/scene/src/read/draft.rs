@@ -12,7 +12,7 @@ use super::table::{Table, check_key};
 use super::value::Value;
 use crate::error::{Fault, Problem, Trail};
 use crate::validate::allowed::{
-    AMOUNT, COMPONENT, COORDINATE, DEPTH, FIELD_OF_VIEW, MIRROR, RADIUS, SIDE,
+    AMOUNT, COMPONENT, COORDINATE, DEPTH, FIELD_OF_VIEW, LIGHT, MIRROR, RADIUS, SIDE, SPECULAR,
 };
 use crate::{Camera, Draft, Image, Light, Material, Numerics, Plane, Render, Sphere, Transfer};
 
@@ -291,7 +291,7 @@ fn render((value, trail): (&Value, Trail<'_>)) -> Result<Render, Fault> {
     Ok(Render {
         max_depth: table.integer("max_depth", &DEPTH)?.unwrap_or(default.max_depth),
         min_weight: table.number("min_weight", &AMOUNT)?.unwrap_or(default.min_weight),
-        background: table.triple("background", RGB, &AMOUNT)?.unwrap_or(default.background),
+        background: table.triple("background", RGB, &LIGHT)?.unwrap_or(default.background),
         ambient: table.light("ambient", &AMOUNT)?.unwrap_or(default.ambient),
         numerics: table.word("numerics", numerics)?.unwrap_or(default.numerics),
     })
@@ -377,7 +377,7 @@ fn material(table: &Table<'_>, color_allowed: &str) -> Result<Material, Fault> {
     let default = Material::matt(color.ok_or_else(|| table.missing("color", color_allowed))?);
     Ok(Material {
         diffuse: table.number("diffuse", &AMOUNT)?.unwrap_or(default.diffuse),
-        specular: table.number("specular", &AMOUNT)?.unwrap_or(default.specular),
+        specular: table.number("specular", &SPECULAR)?.unwrap_or(default.specular),
         shininess: table.number("shininess", &AMOUNT)?.unwrap_or(default.shininess),
         reflect: table.number("reflect", &MIRROR)?,
         ..default

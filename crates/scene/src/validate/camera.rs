@@ -1,7 +1,7 @@
 //! The camera: that it sees a picture at all.
 
 use super::allowed::{COMPONENT, COORDINATE, FIELD_OF_VIEW};
-use super::{list, one, triple};
+use super::{direction, list, one, triple};
 use crate::direction::{parallel, unit};
 use crate::error::{Fault, Trail, number};
 use crate::{Camera, Image};
@@ -22,9 +22,7 @@ pub(super) fn camera(trail: Trail<'_>, camera: &Camera, image: &Image) -> Result
             "a point apart from the camera's `position`",
         ));
     };
-    let Some(up_unit) = unit(up) else {
-        return Err(Fault::new(trail.key("up"), list(up), "a direction that is not zero"));
-    };
+    let up_unit = direction(trail.key("up"), up)?;
     if parallel(view, up_unit) {
         let allowed =
             "a direction that is not parallel to the view, which goes from `position` to `look_at`";

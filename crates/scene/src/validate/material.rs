@@ -1,6 +1,6 @@
 //! Materials: their factors, and that the light they send back stays within f32.
 
-use super::allowed::{AMOUNT, LIGHT, MIRROR};
+use super::allowed::{AMOUNT, LIGHT, MIRROR, SPECULAR};
 use super::{list, one, triple};
 use crate::error::{Fault, Trail, number};
 use crate::{Draft, Material};
@@ -33,14 +33,13 @@ pub(super) fn material(
     let &Material { color, diffuse, specular, shininess, reflect } = material;
     triple(trail.key("color"), color, &AMOUNT)?;
     one(trail.key("diffuse"), diffuse, &AMOUNT)?;
-    one(trail.key("specular"), specular, &AMOUNT)?;
+    one(trail.key("specular"), specular, &SPECULAR)?;
     one(trail.key("shininess"), shininess, &AMOUNT)?;
     match reflect {
         Some(reflect) => one(trail.key("reflect"), reflect, &MIRROR)?,
         None if MIRROR.holds(specular) => {}
         None => {
-            let allowed = "a number from 0 to 1, or more where `reflect` is stated too (without it, `specular` is also the mirror's factor)";
-            return Err(Fault::new(trail.key("specular"), number(specular), allowed));
+            return Err(Fault::new(trail.key("specular"), number(specular), SPECULAR.text));
         }
     }
     for channel in 0..3 {
@@ -51,7 +50,8 @@ pub(super) fn material(
         // reflections as a u32 counts, with 256 x 256 samples, then stay far below the largest f32.
         if !LIGHT.holds(factor) || !LIGHT.holds(back) {
             let allowed = format!(
-                "a material that sends back at most 1e20, so that no sum over reflections and samples overflows f32; in channel {channel} diffuse·color + specular is {}, and ambient·color + (all intensities)·(diffuse·color + specular) is {}",
+                "a material that sends back at most {}, so that no sum over reflections and samples overflows f32; in channel {channel} diffuse·color + specular is {}, and ambient·color + (all intensities)·(diffuse·color + specular) is {}",
+                number(LIGHT.most()),
                 number(factor),
                 number(back)
             );
