@@ -65,6 +65,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
             "--diff - is not possible, stdout takes the report: name a file",
         ));
     }
+    let stdout = Target::stdout()?;
     let (a, b) = (read(&options.a)?, read(&options.b)?);
     let difference = Difference::between(&a, &b).map_err(|why| {
         let (a, b) = (input::name(&options.a), input::name(&options.b));
@@ -74,8 +75,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let image = options.diff.as_deref().map(|path| stage_image(options, path, &a, &b, &difference));
     let image = image.transpose()?;
     let report = Report::new(options, &difference);
-    // `/dev/stdout` rather than `-`, which a file could be called in messages.
-    Target::new(Path::new("-"))?.stage(|to| {
+    stdout.stage(|to| {
         if options.json {
             serde_json::to_writer_pretty(&mut *to, &report)?;
             writeln!(to)

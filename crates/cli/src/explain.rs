@@ -100,6 +100,9 @@ fn pixel(text: &str) -> Result<Pixel, &'static str> {
 /// Explains, in the form that was asked for.
 pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     interrupt::catch();
+    if options.json || options.html.is_none() {
+        Target::stdout()?;
+    }
     let isa = machine::instruction_set()?;
     if options.json && options.html.as_deref().is_some_and(is_stream) {
         return Err(Failure::wrong_use("--json and --html - cannot both go to stdout"));
@@ -150,7 +153,11 @@ fn explain_pixel(
         print(true, &life, |_| Ok(()))?;
     }
     commit([staged])?;
-    say(format_args!("{}: {} steps, to be opened in a browser", target.name(), life.steps()));
+    say(format_args!(
+        "{}: {} steps, to be opened in a browser",
+        target.closing_name(),
+        life.steps()
+    ));
     Ok(())
 }
 
@@ -173,7 +180,7 @@ fn print(
     document: &impl Serialize,
     words: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
-    let stdout = Target::new(Path::new("-"))?;
+    let stdout = Target::stdout()?;
     let staged = stdout.stage(|to| {
         if json {
             serde_json::to_writer_pretty(&mut *to, document)?;

@@ -84,7 +84,7 @@ fn summarise(target: &Target, scene: &Draft) {
     };
     say(format_args!(
         "{}: {}, {}, {}",
-        target.name(),
+        target.closing_name(),
         count(scene.spheres.len(), "sphere"),
         count(scene.planes.len(), "plane"),
         count(scene.lights.len(), "light"),

@@ -15,6 +15,7 @@
 //! scene.rs      a scene's file
 //! input.rs      bytes of a file or of stdin
 //! output.rs     where bytes go: beside and renamed, or directly
+//!   output/       what a path leads to, files beside their names, files that the caller opened
 //! interrupt.rs  signals: remove what is unfinished, exit 130
 //! machine.rs    instruction sets and threads
 //! memory.rs     sizes, and what a rendering will take
@@ -74,6 +75,12 @@ fn main() -> ExitCode {
         Ok(asked) => asked,
         // Help and version come this way too, with code 0.
         Err(answer) => {
+            if !answer.use_stderr()
+                && let Err(failure) = output::Target::stdout()
+            {
+                failure.report();
+                return failure.exit.into();
+            }
             let printed = answer.print();
             return match (answer.exit_code(), printed) {
                 (0, Ok(())) => Exit::Done.into(),

@@ -1,21 +1,31 @@
 //! Where bytes go.
 //!
+//! ```text
+//! place.rs     what a path leads to: an open file, a device or pipe, a regular file
+//! over.rs      whether a file can be renamed over what stands there
+//! beside.rs    a file beside its later name
+//! streams.rs   files that the caller opened
+//! ```
+//!
 //! A regular file is written beside its name and renamed: under the asked name there is
-//! always either what was there before or all of the new. A device or pipe is written
-//! directly, since a rename would replace it.
+//! always either what was there before or all of the new. Where a rename is not possible,
+//! the complete file is copied into the one that is there. A device or pipe is written
+//! directly, since a rename would replace it, and so is what the caller opened.
+
+mod beside;
+mod over;
+mod place;
+mod streams;
 
 use std::fs;
-use std::io::{self, BufWriter, ErrorKind, Write};
-use std::path::{Path, PathBuf};
-
-use tempfile::{NamedTempFile, TempPath};
+use std::io::{self, BufWriter, ErrorKind, Seek, Write};
+use std::path::Path;
 
 use crate::exit::Failure;
-use crate::input::is_stream;
 use crate::interrupt::unfinished;
-
-/// Symbolic links that are followed to a file that is not there yet; the kernel's limit.
-const LINKS: usize = 40;
+use beside::Beside;
+use over::Over;
+use place::{Place, STDOUT, find};
 
 /// Bytes that are collected before they are handed to the system.
 const BUFFER: usize = 1 << 18;
@@ -27,61 +37,31 @@ pub(crate) struct Target {
     place: Place,
 }
 
-#[derive(Clone, Debug, PartialEq, Eq)]
-enum Place {
-    Stdout,
-    /// A device, a pipe, or an open file by its number.
-    Direct(PathBuf),
-    /// A regular file, links followed, there already or not.
-    Beside(PathBuf),
-}
-
 impl Target {
-    /// Looks at a path; `-` and `/dev/stdout` are stdout.
+    /// Looks at a path; `-` is stdout.
     ///
     /// # Errors
     /// Exit code 4 for what can be known to fail: a folder, a path whose folder is not
-    /// there, a write-protected file.
+    /// there, a write-protected file, a stream that is closed.
     pub(crate) fn new(path: &Path) -> Result<Self, Failure> {
-        let name = path.display().to_string();
-        if is_stream(path) || path.as_os_str() == "/dev/stdout" {
-            return Ok(Self { name: "<stdout>".to_owned(), place: Place::Stdout });
-        }
-        let refuse = |why: &dyn std::fmt::Display| {
-            Err(Failure::not_written(format_args!("{name} cannot be written: {why}")))
+        let found = find(path);
+        let name = match &found {
+            Ok(Place::Open(STDOUT)) => "<stdout>".to_owned(),
+            _ if path.as_os_str() == "-" => "<stdout>".to_owned(),
+            _ => path.display().to_string(),
         };
-        if name.ends_with(std::path::is_separator) {
-            return refuse(&"it names a folder; name a file in it");
+        match found {
+            Ok(place) => Ok(Self { name, place }),
+            Err(why) => Err(Failure::not_written(format_args!("{name} cannot be written: {why}"))),
         }
-        let place = match fs::metadata(path) {
-            Ok(found) if found.is_dir() => {
-                return refuse(&"it is a folder; name a file in it");
-            }
-            Ok(found) if !found.is_file() || is_open_file(path) => Place::Direct(path.to_owned()),
-            Ok(found) if found.permissions().readonly() => {
-                return refuse(&"the file is write-protected; name another one");
-            }
-            Ok(_) => Place::Beside(fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())),
-            Err(error) if error.kind() == ErrorKind::NotFound => Place::Beside(behind_links(path)),
-            Err(error) if error.kind() == ErrorKind::NotADirectory => {
-                return refuse(&"a folder in its path is a file");
-            }
-            Err(error) => return refuse(&error),
-        };
-        let Place::Beside(path) = &place else {
-            return Ok(Self { name, place });
-        };
-        // The folder's one true name, so that equal places are seen to be equal.
-        let folder = folder(path);
-        match (fs::canonicalize(folder), path.file_name()) {
-            (Ok(found), Some(file)) if found.is_dir() => {
-                Ok(Self { name, place: Place::Beside(found.join(file)) })
-            }
-            (Ok(_), _) => refuse(&format_args!("{} is not a folder", folder.display())),
-            (Err(error), _) => {
-                refuse(&format_args!("folder {}: {error}; make it first", folder.display()))
-            }
-        }
+    }
+
+    /// Looks at stdout.
+    ///
+    /// # Errors
+    /// Exit code 4 if it is closed, or open for reading only.
+    pub(crate) fn stdout() -> Result<Self, Failure> {
+        Self::new(Path::new("-"))
     }
 
     /// How messages call it.
@@ -89,11 +69,23 @@ impl Target {
         &self.name
     }
 
+    /// How the closing line calls it: with a word on what could not be replaced.
+    pub(crate) fn closing_name(&self) -> String {
+        match self.place {
+            Place::File(_, Over::Copied(why)) => format!("{} (written in place: {why})", self.name),
+            _ => self.name.clone(),
+        }
+    }
+
     /// Whether writing would replace that file, which must be there.
     pub(crate) fn replaces(&self, file: &Path) -> bool {
         match &self.place {
-            Place::Beside(path) => fs::canonicalize(file).is_ok_and(|file| file == *path),
-            Place::Stdout | Place::Direct(_) => false,
+            Place::File(path, Over::Renamed) => {
+                fs::canonicalize(file).is_ok_and(|file| file == *path)
+            }
+            // Under whatever name.
+            Place::File(path, Over::Copied(_)) => is_one_file(path, file),
+            Place::Open(_) | Place::Direct(_) => false,
         }
     }
 
@@ -108,11 +100,11 @@ impl Target {
     /// Exit code 4.
     pub(crate) fn probe(&self) -> Result<(), Failure> {
         match &self.place {
-            Place::Beside(path) => {
-                temporary(path).map(drop).map_err(|error| self.not_written(&error))
+            Place::File(path, _) => {
+                Beside::new(path).map(drop).map_err(|error| self.not_written(&error))
             }
             // Opening a pipe waits for its reader: not before there is something to say.
-            Place::Stdout | Place::Direct(_) => Ok(()),
+            Place::Open(_) | Place::Direct(_) => Ok(()),
         }
     }
 
@@ -127,26 +119,31 @@ impl Target {
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<Staged, Failure> {
         let staged = match &self.place {
-            Place::Stdout => buffered(io::stdout().lock(), write).map(|()| None),
+            Place::Open(number) => {
+                streams::open(*number).and_then(|file| buffered(file, write)).map(|()| None)
+            }
             Place::Direct(path) => fs::OpenOptions::new()
                 .write(true)
                 .open(path)
                 .and_then(|file| buffered(file, write))
                 .map(|()| None),
-            Place::Beside(path) => temporary(path).and_then(|(mut file, unfinished)| {
-                buffered(&mut file, write)?;
-                Ok(Some(unfinished))
+            Place::File(path, _) => Beside::new(path).and_then(|beside| {
+                buffered(&beside.file, write)?;
+                Ok(Some(beside))
             }),
         };
-        let unfinished = staged.map_err(|error| self.not_written(&error))?;
-        Ok(Staged { target: self.clone(), unfinished })
+        let beside = staged.map_err(|error| self.not_written(&error))?;
+        Ok(Staged { target: self.clone(), beside })
     }
 
     fn not_written(&self, error: &io::Error) -> Failure {
         let advice = match error.kind() {
             ErrorKind::BrokenPipe => "whatever reads it has gone",
-            ErrorKind::StorageFull => "make room, or write to another place",
-            ErrorKind::PermissionDenied => "write to another place",
+            ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+                "make room, or write to another place"
+            }
+            ErrorKind::FileTooLarge => "raise the limit on files (ulimit -f), or make it smaller",
+            ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => "write to another place",
             _ => "nothing was kept",
         };
         Failure::not_written(format_args!("{} cannot be written: {error}; {advice}", self.name))
@@ -156,64 +153,77 @@ impl Target {
 /// Something that is written, but perhaps not under its name yet. Dropping it gives it up.
 pub(crate) struct Staged {
     target: Target,
-    unfinished: Option<Unfinished>,
+    beside: Option<Beside>,
 }
 
 /// Puts everything in place; an interruption comes before or after all of it.
 ///
 /// # Errors
-/// Exit code 4 if a rename fails; what comes after it is given up.
+/// Exit code 4 if one cannot be put in place; what comes after it is given up. The message
+/// says what was kept and what was not.
 pub(crate) fn commit(all: impl IntoIterator<Item = Staged>) -> Result<(), Failure> {
     let mut listed = unfinished();
     let mut failure = None;
-    let mut given_up = Vec::new();
-    for Staged { target, unfinished } in all {
-        let (Some(mut unfinished), Place::Beside(path)) = (unfinished, &target.place) else {
+    let (mut kept, mut given_up) = (Vec::new(), Vec::new());
+    // Dropped without the lock, which dropping takes.
+    let mut done = Vec::new();
+    for Staged { target, beside } in all {
+        let (Some(mut beside), Place::File(path, over)) = (beside, &target.place) else {
             continue;
         };
-        if failure.is_none()
-            && let Some(temporary) = unfinished.0.take()
-        {
-            listed.retain(|path| *path != *temporary);
-            // A failed rename hands the path back, and dropping it removes the file.
-            let renamed = temporary.persist(path);
-            failure = renamed.err().map(|lost| target.not_written(&lost.error));
+        if failure.is_some() {
+            given_up.push(target.name);
+        } else {
+            let temporary = beside.unlist(&mut listed);
+            let placed = match over {
+                // A failed rename hands the path back, and dropping it removes the file.
+                Over::Renamed => temporary.persist(path).map_err(|lost| lost.error.to_string()),
+                Over::Copied(_) => copy(&mut beside.file, path),
+            };
+            match placed {
+                Ok(()) => kept.push(target.name),
+                Err(why) => failure = Some((target.name, why)),
+            }
         }
-        given_up.push(unfinished);
+        done.push(beside);
     }
-    // What was given up takes the lock to be removed.
     drop(listed);
-    drop(given_up);
-    failure.map_or(Ok(()), Err)
+    let Some((name, why)) = failure else { return Ok(()) };
+    let also = |what: &str, names: &[String]| match names {
+        [] => String::new(),
+        names => format!("; {what}: {}", names.join(", ")),
+    };
+    Err(Failure::not_written(format_args!(
+        "{name} cannot be written: {why}{}{}",
+        also("written and kept", &kept),
+        also("given up, and as before", &given_up)
+    )))
 }
 
-/// A file beside its later name, listed as unfinished for as long as it is there.
-struct Unfinished(Option<TempPath>);
-
-impl Drop for Unfinished {
-    fn drop(&mut self) {
-        if let Some(temporary) = self.0.take() {
-            let mut listed = unfinished();
-            listed.retain(|path| *path != *temporary);
-            drop(temporary);
-        }
-    }
+/// Copies a complete file into one that is there.
+///
+/// # Errors
+/// Why not. The file is empty then, rather than half written.
+fn copy(from: &mut fs::File, path: &Path) -> Result<(), String> {
+    let opened = fs::OpenOptions::new().write(true).open(path);
+    let mut to = opened.map_err(|error| format!("{error}; it is as before"))?;
+    let copied = from.rewind().and_then(|()| to.set_len(0)).and_then(|()| io::copy(from, &mut to));
+    copied.map(drop).map_err(|error| {
+        let _ = to.set_len(0);
+        format!("{error}; it could only be written in place, and is empty now")
+    })
 }
 
-/// Makes a file beside `path`, with the permissions of any new file.
-fn temporary(path: &Path) -> io::Result<(fs::File, Unfinished)> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".catoptric-").suffix(".unfinished");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // Less the umask, which the system applies.
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    let mut listed = unfinished();
-    let (file, temporary) = NamedTempFile::into_parts(builder.tempfile_in(folder(path))?);
-    listed.push(temporary.to_path_buf());
-    Ok((file, Unfinished(Some(temporary))))
+#[cfg(unix)]
+fn is_one_file(a: &Path, b: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let node = |path| fs::metadata(path).ok().map(|found| (found.dev(), found.ino()));
+    node(a).is_some() && node(a) == node(b)
+}
+
+#[cfg(not(unix))]
+fn is_one_file(a: &Path, b: &Path) -> bool {
+    fs::canonicalize(a).is_ok_and(|a| fs::canonicalize(b).is_ok_and(|b| a == b))
 }
 
 fn buffered(
@@ -223,27 +233,4 @@ fn buffered(
     let mut to = BufWriter::with_capacity(BUFFER, to);
     write(&mut to)?;
     to.flush()
-}
-
-/// The folder that a file is in.
-fn folder(path: &Path) -> &Path {
-    match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    }
-}
-
-/// Paths that stand for a file that is open already, which must not be replaced.
-fn is_open_file(path: &Path) -> bool {
-    path.starts_with("/proc") || path.starts_with("/dev/fd") || path.as_os_str() == "/dev/stderr"
-}
-
-/// The name that a file will have once it is made through links that lead nowhere yet.
-fn behind_links(path: &Path) -> PathBuf {
-    let mut path = path.to_owned();
-    for _ in 0..LINKS {
-        let Ok(next) = fs::read_link(&path) else { break };
-        path = folder(&path).join(next);
-    }
-    path
 }

@@ -191,7 +191,7 @@ fn summarise(picture: &Target, stats: &Stats<'_>) {
     let isa = stats.isa.map(|isa| format!(", {isa}")).unwrap_or_default();
     say(format_args!(
         "{}: {width}x{height}, {} rays, {} reflections deep, traced in {} ms, {} ms in all ({engine}, {precision}{isa}, {threads} threads)",
-        picture.name(),
+        picture.closing_name(),
         stats.rays.total(),
         stats.depths.len().saturating_sub(1),
         stats.time_ms.trace,

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use crate::program::{CATOPTRIC, Folder};
 
 /// Starts a rendering.
-fn start(folder: &Folder, arguments: &str) -> Child {
+pub(crate) fn start(folder: &Folder, arguments: &str) -> Child {
     Command::new(CATOPTRIC)
         .args(arguments.split_whitespace())
         .current_dir(folder.path("."))
@@ -30,7 +30,7 @@ fn wait_for_handler(child: &Child) {
     wait_until("signals are handled", || caught() == Some(true));
 }
 
-fn wait_until(what: &str, mut reached: impl FnMut() -> bool) {
+pub(crate) fn wait_until(what: &str, mut reached: impl FnMut() -> bool) {
     let start = Instant::now();
     while !reached() {
         assert!(start.elapsed() < Duration::from_secs(60), "waited in vain until {what}");
@@ -39,7 +39,7 @@ fn wait_until(what: &str, mut reached: impl FnMut() -> bool) {
 }
 
 /// Sends a signal and expects exit code 130 within a minute.
-fn interrupt(mut child: Child, signal: &str) {
+pub(crate) fn interrupt(mut child: Child, signal: &str) {
     let id = child.id().to_string();
     let sent = Command::new("kill").args([&format!("-{signal}"), &id]).status();
     assert!(sent.is_ok_and(|sent| sent.success()), "kill -{signal}");

@@ -24,8 +24,17 @@ pub(crate) struct Options {
 
     /// Picture to write; `-` is stdout and needs --format
     ///
-    /// A regular file is written beside its name and renamed when it is complete; a device
-    /// or pipe is written directly. [default: the scene's name with the format's ending, in
+    /// A regular file is written beside its name and renamed when it is complete. One that is
+    /// replaced keeps its permission bits and, as far as the system lets, its owner and group,
+    /// but neither ACLs nor extended attributes. A symbolic link is followed and kept; other
+    /// hard links keep the old file. Where no rename is possible (a file that is mounted by
+    /// itself, another user's in a sticky folder), the complete file is copied into the one
+    /// that is there, which the closing line says, or it is refused before tracing.
+    ///
+    /// A device or pipe is written directly, and so is a file that the caller opened
+    /// (/dev/stdout, /dev/fd/3, or a link to one), from where the caller is in it. What a killed
+    /// run leaves (.catoptric-*.unfinished) is removed by the next run to the same name.
+    /// [default: the scene's name with the format's ending, in
     /// the current folder; for stdin `scene.png`]
     #[arg(short, long, value_name = "FILE|-")]
     pub(super) output: Option<PathBuf>,

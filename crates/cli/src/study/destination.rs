@@ -33,6 +33,9 @@ impl Destination {
     /// that holds the report of another study, whose page would be lost.
     pub(super) fn new(common: &Common, study: &str) -> Result<Self, Failure> {
         let mut earlier = Vec::new();
+        if common.json || common.output.is_none() {
+            Target::stdout()?;
+        }
         if let Some(folder) = &common.output {
             if is_stream(folder) {
                 return Err(Failure::wrong_use(
@@ -91,7 +94,7 @@ impl Destination {
         } else {
             return Ok(());
         };
-        Target::new(Path::new("-"))?.stage(|to| to.write_all(text.as_bytes())).map(drop)
+        Target::stdout()?.stage(|to| to.write_all(text.as_bytes())).map(drop)
     }
 }
 
