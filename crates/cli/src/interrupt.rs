@@ -23,30 +23,34 @@ pub(crate) fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
 /// Whether a signal has asked to stop.
 static ASKED: AtomicBool = AtomicBool::new(false);
 
-/// Whether a signal has asked to stop; only after [`catch_the_second`].
+/// Whether a signal has asked to stop; only while [`measuring`].
 pub(crate) fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
 
-/// From here on, the first interruption only asks, and the second leaves nothing behind.
-pub(crate) fn catch_the_second() {
-    set_handler(true);
+/// Whether something is being measured, which the first interruption only ends.
+static MEASURING: AtomicBool = AtomicBool::new(false);
+
+/// Measures: meanwhile the first interruption only asks, and the second leaves nothing behind.
+/// Before and after, while something is read or written, the first leaves nothing behind.
+pub(crate) fn measuring<T>(measure: impl FnOnce() -> T) -> T {
+    MEASURING.store(true, Ordering::Relaxed);
+    let measured = measure();
+    MEASURING.store(false, Ordering::Relaxed);
+    measured
 }
 
 /// From here on, an interruption leaves nothing behind.
-pub(crate) fn catch() {
-    set_handler(false);
-}
-
+///
 /// Not so under `nohup`: the signals are caught together, so the hang-up that the caller
 /// wants ignored could not be told from the others. There they keep their defaults.
-fn set_handler(first_asks: bool) {
+pub(crate) fn catch() {
     if hang_up_is_ignored() {
         return;
     }
     // Failing here means that the system lacks handlers; rendering works all the same.
     let _ = ctrlc::set_handler(move || {
-        if first_asks && !ASKED.swap(true, Ordering::Relaxed) {
+        if MEASURING.load(Ordering::Relaxed) && !ASKED.swap(true, Ordering::Relaxed) {
             say(format_args!("interrupted: keeping what is measured; once more ends at once"));
             return;
         }

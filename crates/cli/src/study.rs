@@ -22,7 +22,7 @@ use options::{DepthOptions, ErrorOptions, LadderOptions, Study};
 
 /// Runs a study and writes what it found.
 pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
-    interrupt::catch_the_second();
+    interrupt::catch();
     let isa = machine::instruction_set()?;
     let common = options.study.common();
     let threads = match (&options.study, common.threads) {
@@ -48,15 +48,15 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let pools = pools([1, threads])?;
 
     let watch = Signals { quiet: common.quiet };
-    let report = match &options.study {
-        Study::Depth(options) => study_depth(options, &subjects, &pools, isa, &watch)?,
-        Study::Error(options) => study_error(options, &subjects, threads, isa, &watch)?,
-        Study::Ladder(options) => study_ladder(options, &subjects, &pools, isa, &watch)?,
+    let report = interrupt::measuring(|| match &options.study {
+        Study::Depth(options) => study_depth(options, &subjects, &pools, isa, &watch),
+        Study::Error(options) => study_error(options, &subjects, threads, isa, &watch),
+        Study::Ladder(options) => study_ladder(options, &subjects, &pools, isa, &watch),
         Study::Stability(_) => {
             let effort = stability::suite::Effort::default();
-            pools.most().install(|| stability::run(&subjects, &watch, effort))
+            Ok(pools.most().install(|| stability::run(&subjects, &watch, effort)))
         }
-    };
+    })?;
     destination.write(&report, &made)?;
     Ok(match (report.complete, report.failed) {
         (false, _) => Exit::Interrupted,

@@ -1,6 +1,6 @@
 //! Interruptions: exit code 130, and nothing left behind.
 
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Write};
 use std::os::unix::process::ExitStatusExt;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
@@ -165,4 +165,42 @@ fn a_study_is_interrupted_while_it_prepares() {
     for row in json["rows"].as_array().expect("rows") {
         assert!(row["min_ms"].as_f64().is_some(), "{row}");
     }
+}
+
+/// Nothing is measured yet that could be kept, so the first signal ends it.
+#[test]
+fn a_study_that_waits_for_its_scene_ends() {
+    for signal in ["TERM", "INT"] {
+        let folder = Folder::new();
+        let made = Command::new("mkfifo").arg(folder.path("fifo")).status();
+        assert!(made.is_ok_and(|made| made.success()));
+        let before = folder.contents();
+        let child = start(&folder, "study depth fifo -o out");
+        wait_for_handler(&child);
+        interrupt(child, signal);
+        assert_eq!(folder.contents(), before);
+    }
+}
+
+/// Nor is it while a report waits for whoever reads it.
+#[test]
+fn a_study_that_waits_for_its_reader_ends() {
+    let folder = Folder::new();
+    let (reader, mut writer) = std::io::pipe().expect("a pipe");
+    // Most of what it holds.
+    writer.write_all(&[b' '; 60 << 10]).expect("room");
+    let mut child = Command::new(CATOPTRIC)
+        .args("study depth scene.toml --repeat 1 --json -o out".split_whitespace())
+        .current_dir(folder.path("."))
+        .stdout(writer)
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    wait_until("the folder is written", || {
+        assert_eq!(child.try_wait().expect("a status"), None, "the report is too short");
+        folder.path("out/depth.json").exists()
+    });
+    sleep(Duration::from_millis(100));
+    interrupt(child, "TERM");
+    drop(reader);
 }
