@@ -64,6 +64,21 @@ impl Target {
         Self::new(Path::new("-"))
     }
 
+    /// Looks at a path that is to be a regular file.
+    ///
+    /// # Errors
+    /// Exit code 4, as for any other, and for what is there and is none.
+    pub(crate) fn file(path: &Path) -> Result<Self, Failure> {
+        let target = Self::new(path)?;
+        match &target.place {
+            Place::File(..) => Ok(target),
+            Place::Open(_) | Place::Direct(_) => Err(Failure::not_written(format_args!(
+                "{} cannot be written: it is no regular file, and would not be replaced; name another place",
+                target.name
+            ))),
+        }
+    }
+
     /// How messages call it.
     pub(crate) fn name(&self) -> &str {
         &self.name

@@ -6,6 +6,7 @@ mod compare;
 mod elsewhere;
 mod examples;
 mod explain;
+mod folders;
 mod formats;
 mod generate;
 mod limits;

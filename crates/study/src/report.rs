@@ -11,7 +11,7 @@ mod png;
 mod svg;
 mod table;
 
-pub use files::{File, files};
+pub use files::{File, Sum, files};
 pub use html::escaped;
 pub use json::{SCHEMA, document};
 pub use markdown::summary;

@@ -104,9 +104,18 @@ fn json_holds_every_digit_and_null_for_what_is_no_number() {
     );
     assert_eq!(json["tables"][0]["columns"], json["columns"]);
     // The folder's files, to be known again.
-    let names: Vec<String> =
-        files(&sample(), &occasion()).into_iter().map(|file| file.name).collect();
+    let all = files(&sample(), &occasion());
+    let json: serde_json::Value = serde_json::from_slice(&all[1].bytes).expect("JSON");
+    let names: Vec<&str> = all.iter().map(|file| &*file.name).collect();
     assert_eq!(json["files"], serde_json::Value::from(names));
+    let sums: Vec<report::Sum> = serde_json::from_value(json["sums"].clone()).expect("sums");
+    let others = all.iter().filter(|file| !file.name.ends_with(".json"));
+    let expected: Vec<_> = others.map(|file| report::Sum::of(&file.name, &file.bytes)).collect();
+    assert_eq!(sums, expected);
+    assert_eq!(sums[0].bytes, all[0].bytes.len() as u64);
+    // The published values of the sum.
+    assert_eq!(report::Sum::of("", b"").fnv1a_64, "cbf29ce484222325");
+    assert_eq!(report::Sum::of("", b"foobar").fnv1a_64, "85944171f73967e8");
     assert_eq!(json["made"]["command"], "catoptric study sample");
 }
 

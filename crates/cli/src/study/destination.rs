@@ -1,23 +1,25 @@
 //! Where a report goes: stdout, or the files of a folder.
 
+mod earlier;
+
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use catoptric_study::occasion::Occasion;
 use catoptric_study::report::{self, Report};
-use serde_json::Value;
 
-use super::options::Common;
+use super::options::{Common, Study};
 use crate::exit::{Failure, say};
 use crate::input::is_stream;
 use crate::output::{Target, commit};
+use earlier::Earlier;
 
 /// Looked at before hours of measuring.
 pub(super) struct Destination {
     folder: Option<PathBuf>,
-    /// Files of an earlier report of the same study in that folder.
-    earlier: Vec<String>,
+    /// The report of the same study in that folder.
+    earlier: Option<Earlier>,
     json: bool,
     quiet: bool,
 }
@@ -29,39 +31,45 @@ impl Destination {
     /// Makes the folder, if one is asked for and is not there.
     ///
     /// # Errors
-    /// Exit code 2 for stdout, which is no folder; 4 for a folder that cannot be written, or
-    /// that holds the report of another study, whose page would be lost.
+    /// Exit code 2 for stdout, which is no folder; 4 for a folder that cannot be written, that
+    /// holds the report of another study, whose page would be lost, or something that is no
+    /// file under a name of this study's; and for a closed stdout that words are to go to.
     pub(super) fn new(common: &Common, study: &str) -> Result<Self, Failure> {
-        let mut earlier = Vec::new();
-        if common.json || common.output.is_none() {
+        let Common { output, json, quiet, .. } = common;
+        let (json, quiet) = (*json, *quiet);
+        let Some(folder) = output else {
+            Target::stdout()?;
+            return Ok(Self { folder: None, earlier: None, json, quiet });
+        };
+        if is_stream(folder) {
+            return Err(Failure::wrong_use(
+                "-o names a folder, and - is none: use --json, or leave -o out, for stdout",
+            ));
+        }
+        if json {
             Target::stdout()?;
         }
-        if let Some(folder) = &common.output {
-            if is_stream(folder) {
-                return Err(Failure::wrong_use(
-                    "-o names a folder, and - is none: use --json, or leave -o out, for stdout",
-                ));
-            }
-            fs::create_dir_all(folder).map_err(|error| {
+        fs::create_dir_all(folder).map_err(|error| {
+            let folder = folder.display();
+            Failure::not_written(format_args!(
+                "folder {folder} cannot be made: {error}; name another one with -o"
+            ))
+        })?;
+        Target::file(&folder.join("index.html"))?.probe()?;
+        for path in in_the_way(folder, study) {
+            Target::file(&path)?;
+        }
+        for other in Study::NAMES.into_iter().filter(|name| *name != study) {
+            if Earlier::find(folder, other).is_some() {
                 let folder = folder.display();
-                Failure::not_written(format_args!(
-                    "folder {folder} cannot be made: {error}; name another one with -o"
-                ))
-            })?;
-            Target::new(&folder.join("index.html"))?.probe()?;
-            for (name, files) in reports(folder) {
-                if name != study {
-                    let folder = folder.display();
-                    return Err(Failure::not_written(format_args!(
-                        "folder {folder} holds a report of study {name}, whose page would be \
-                         lost; name another one with -o"
-                    )));
-                }
-                earlier = files;
+                return Err(Failure::not_written(format_args!(
+                    "folder {folder} holds a report of study {other}, whose page would be \
+                     lost; name another one with -o"
+                )));
             }
         }
-        let Common { output, json, quiet, .. } = common;
-        Ok(Self { folder: output.clone(), earlier, json: *json, quiet: *quiet })
+        let earlier = Earlier::find(folder, study);
+        Ok(Self { folder: Some(folder.clone()), earlier, json, quiet })
     }
 
     /// Writes all files of the folder, or none, and removes those of an earlier report that are
@@ -73,16 +81,19 @@ impl Destination {
         if let Some(folder) = &self.folder {
             let files = report::files(report, made);
             let staged = files.iter().map(|file| {
-                Target::new(&folder.join(&file.name))?.stage(|to| to.write_all(&file.bytes))
+                Target::file(&folder.join(&file.name))?.stage(|to| to.write_all(&file.bytes))
             });
             commit(staged.collect::<Result<Vec<_>, _>>()?)?;
-            for name in &self.earlier {
-                if files.iter().all(|file| file.name != *name) {
-                    // Gone already is as good.
-                    let _ = fs::remove_file(folder.join(name));
-                }
-            }
+            let stale = |name: &str| files.iter().all(|file| file.name != name);
+            let kept = self.earlier.as_ref().map(|earlier| earlier.remove(folder, stale));
             if !self.quiet {
+                for name in kept.into_iter().flatten() {
+                    let path = folder.join(name);
+                    say(format_args!(
+                        "{} is an earlier report's, not as it was written, and is kept",
+                        path.display()
+                    ));
+                }
                 let page = folder.join("index.html");
                 say(format_args!("{} and {} more files", page.display(), files.len() - 1));
             }
@@ -98,19 +109,15 @@ impl Destination {
     }
 }
 
-/// The studies whose reports a folder holds, with the files that each of them says are its own.
-fn reports(folder: &Path) -> Vec<(String, Vec<String>)> {
-    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
-    let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
-    let documents = paths.filter(|path| path.extension() == Some(OsStr::new("json")));
-    let report = |path: PathBuf| {
-        let document: Value = serde_json::from_slice(&fs::read(path).ok()?).ok()?;
-        let study = document["study"].as_str().filter(|_| document["schema"] == report::SCHEMA)?;
-        let files = document["files"].as_array().into_iter().flatten().filter_map(Value::as_str);
-        let files = files.filter(|name| is_of_a_report(name)).map(str::to_owned);
-        Some((study.to_owned(), files.collect()))
+/// What is in a folder under names that a study's files have: `depth.csv`, `depth-room-ray.svg`.
+fn in_the_way(folder: &Path, study: &str) -> Vec<PathBuf> {
+    let names = fs::read_dir(folder).into_iter().flatten().flatten();
+    let names = names.filter_map(|entry| entry.file_name().into_string().ok());
+    let of_the_study = |name: &String| {
+        let rest = name.strip_prefix(study);
+        is_of_a_report(name) && rest.is_some_and(|rest| rest.starts_with(['.', '-']))
     };
-    documents.filter_map(report).collect()
+    names.filter(of_the_study).map(|name| folder.join(name)).collect()
 }
 
 /// Whether a name can be that of a report's file: in the folder, and of one of its formats.

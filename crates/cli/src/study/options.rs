@@ -37,6 +37,9 @@ pub(super) struct Common {
     pub(super) scenes: Vec<PathBuf>,
 
     /// Folder for index.html, JSON, CSV, Markdown, SVG and PNG; made if it is not there
+    ///
+    /// Files of an earlier report of the same study are replaced. Those that are not written
+    /// again are removed if they are as they were written; nothing else is.
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
 
@@ -142,6 +145,9 @@ fn target_error(text: &str) -> Result<f64, &'static str> {
 
 impl Study {
     /// Its name on the command line, and that of its files.
+    /// The names of all.
+    pub(super) const NAMES: [&str; 4] = ["depth", "error", "ladder", "stability"];
+
     pub(super) fn name(&self) -> &'static str {
         match self {
             Self::Depth(_) => "depth",

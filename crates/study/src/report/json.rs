@@ -6,7 +6,7 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::{Block, Cell, Column, Plot, Report, Series, Table};
+use super::{Block, Cell, Column, Plot, Report, Series, Sum, Table};
 use crate::occasion::Occasion;
 
 /// What the document says that it is.
@@ -18,11 +18,11 @@ const VERSION: u32 = 2;
 /// The document, indented, with a line break at the end.
 #[must_use]
 pub fn document(report: &Report, made: &Occasion) -> String {
-    written(report, made, &[])
+    written(report, made, &[], &[])
 }
 
 /// The document of a report that is written as these files.
-pub(super) fn written(report: &Report, made: &Occasion, files: &[String]) -> String {
+pub(super) fn written(report: &Report, made: &Occasion, files: &[String], sums: &[Sum]) -> String {
     let mut tables = report.tables();
     let first = tables.next();
     let document = Document {
@@ -33,6 +33,7 @@ pub(super) fn written(report: &Report, made: &Occasion, files: &[String]) -> Str
         complete: report.complete,
         made,
         files,
+        sums,
         columns: first.map(|table| table.columns),
         rows: first.map(Rows),
         tables: tables.map(NamedTable::of).collect(),
@@ -54,6 +55,8 @@ struct Document<'a> {
     made: &'a Occasion,
     /// All of the folder's files that are this report's; none where it is not in a folder.
     files: &'a [String],
+    /// What each of them holds but for this document; none where it is not in a folder.
+    sums: &'a [Sum],
     columns: Option<&'a [Column]>,
     rows: Option<Rows<'a>>,
     tables: Vec<NamedTable<'a>>,
