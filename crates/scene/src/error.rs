@@ -3,9 +3,11 @@
 mod excerpt;
 mod fault;
 mod key_path;
+mod shown;
 
 pub(crate) use fault::{Fault, Target, number};
 pub(crate) use key_path::{KeyPath, Segment, Trail};
+pub use shown::{is_visible, shown};
 
 use std::fmt;
 use std::ops::Range;
@@ -16,7 +18,8 @@ use std::ops::Range;
 /// what was found and what is allowed; for TOML then a line `--> file:line:column` and the
 /// line itself; for JSON `line L column C` where that is known. It may have several lines
 /// and does not end in a line break. Key paths are written like `spheres[2].radius` and
-/// count from 0.
+/// count from 0. What comes from the file or its name is written as [`shown`] writes it, so
+/// the message does nothing to a terminal and fits its screen.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{}", Report(self))]
 pub struct SceneError {
@@ -25,6 +28,12 @@ pub struct SceneError {
     problem: Box<Problem>,
     place: Place,
 }
+
+/// Columns of a file's name.
+const NAME: usize = 240;
+
+/// Columns of what a parser says.
+const MESSAGE: usize = 480;
 
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -35,7 +44,7 @@ pub(crate) enum Problem {
     Utf16,
     #[error("byte {0} (counted from 0) is not UTF-8 text; a scene is TOML or JSON in UTF-8")]
     NotText(usize),
-    #[error("{0}")]
+    #[error("{}", shown(.0, MESSAGE))]
     Syntax(String),
     #[error("{0}")]
     Key(Fault),
@@ -145,7 +154,7 @@ impl fmt::Display for Report<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let SceneError { file, problem, place } = self.0;
         if let Some(file) = file {
-            write!(f, "{file}: ")?;
+            write!(f, "{}: ", shown(file, NAME))?;
         }
         write!(f, "{problem}")?;
         match place {

@@ -25,7 +25,7 @@ pub use compile::{
 pub use counts::{Counts, DepthCount};
 pub use double_double::DoubleDouble;
 pub use draft::{Camera, Draft, Image, Light, Material, Numerics, Plane, Render, Sphere, Transfer};
-pub use error::SceneError;
+pub use error::{SceneError, is_visible, shown};
 pub use film::{Film, Quantiser};
 pub use read::{Document, SceneFormat};
 pub use scalar::{Scalar, Wider};

@@ -385,3 +385,104 @@ fn a_file_that_is_not_utf_8_is_refused() {
         }
     }
 }
+
+/// Characters that a terminal obeys or hides: ESC, DEL, C1, bidi marks, joiners, tags, fillers.
+const UNSEEN: &str = "\u{1b}\u{7}\r\u{7f}\u{9b}\u{9d}\u{ad}\u{61c}\u{200b}\u{200d}\u{200e}\u{200f}\
+    \u{202e}\u{2028}\u{2066}\u{2069}\u{feff}\u{fe0f}\u{3164}\u{e000}\u{e0041}\u{e0100}";
+
+/// How the message is read off a terminal of 80 columns: its rows.
+fn rows(message: &str) -> usize {
+    message.lines().map(|line| line.chars().count().div_ceil(80).max(1)).sum()
+}
+
+/// Whether a terminal shows all of a message and obeys none of it.
+fn is_plain(message: &str) -> bool {
+    message.chars().all(|c| c == '\n' || !(c.is_ascii_control() || UNSEEN.contains(c)))
+}
+
+#[test]
+fn messages_hold_nothing_that_a_terminal_obeys() {
+    // TOML's text may hold these raw; the others are faults of syntax, and shown for that.
+    let above: String = UNSEEN.chars().filter(|c| !c.is_ascii()).collect();
+    let file = format!("a\n{UNSEEN}.toml");
+    let texts = [
+        format!("camera.\t'{above}' = 1 # {above}"),
+        format!("image.transfer = '{above}' # {above}"),
+        format!("[materials.'{above}']\ncolor = [1, 1, 1]\n[[spheres]]\nmaterial = 'x'"),
+        format!("{UNSEEN} = "),
+        format!("a = '{UNSEEN}'"),
+        format!("'{above}' = 1\n'{above}' = 2"),
+        "a = \u{1b}[31m".to_owned(),
+        "[image]\r\nwidth = 0\r\n".to_owned(),
+    ];
+    for text in texts {
+        let error = Document::parse(&file, text.as_bytes(), SceneFormat::Toml)
+            .and_then(Document::into_scene)
+            .expect_err(&text);
+        let message = error.to_string();
+        assert!(is_plain(&message), "{message:?}");
+        assert!(message.starts_with("a\\n\\u{1b}\\u{7}\\r\\u{7f}\\u{9b}"), "{message}");
+    }
+    for text in [format!("{{\"{above}\": 1}}"), format!("{{\"a\" {UNSEEN}: 1}}")] {
+        let message = json(&text).expect_err(&text).to_string();
+        assert!(is_plain(&message), "{message:?}");
+    }
+}
+
+#[test]
+fn letters_of_all_languages_stand_as_they_are() {
+    let name = "Σκηνή-сцена-シーン-e\u{301}-हिन्दी '\"\\.toml";
+    assert_eq!(catoptric_scene::shown(name, 240), name);
+    let error = Document::parse(name, b"", SceneFormat::Toml).expect_err("no text");
+    assert!(error.to_string().starts_with(&format!("{name}: the file is empty")), "{error}");
+}
+
+/// What is underlined stays so where the characters before it are shown as escapes.
+#[test]
+fn the_place_is_underlined_behind_escapes() {
+    let message = toml("\u{feff}\tcamera.'\u{202e}' = 1").unwrap_err().to_string();
+    let lines: Vec<&str> = message.lines().collect();
+    assert_eq!(lines[1], " --> a.toml:1:9", "{message}");
+    assert_eq!(lines[3], r"1 |     camera.'\u{202e}' = 1", "{message}");
+    assert_eq!(lines[4], "  |            ^^^^^^^^^^", "{message}");
+}
+
+#[test]
+fn a_message_is_a_screenful_at_most() {
+    let long = "x".repeat(300_000);
+    let wide = "シ".repeat(300_000);
+    let unseen = "\u{202e}".repeat(300_000);
+    let names = |name: &str| -> String {
+        (0..300).map(|i| format!("[materials.'{name}{i}']\ncolor = [1, 1, 1]\n")).collect()
+    };
+    for part in [&long, &wide, &unseen] {
+        let texts = [
+            format!("'{part}' = 1"),
+            format!("camera.'{part}' = 1 # {part}"),
+            format!("image.transfer = '{part}'"),
+            format!("image.width = [{}1]", "[1, 1], ".repeat(100_000)),
+            format!("{part} {part}"),
+            format!("a.'{part}' = 1\na.'{part}' = 2"),
+            format!("{}[[spheres]]\nmaterial = '{part}'", names(&part[..600])),
+            format!("[materials.'{part}'.'{part}'.'{part}'.'{part}']\na = 1"),
+        ];
+        for text in texts {
+            let error = Document::parse(part, text.as_bytes(), SceneFormat::Toml)
+                .and_then(Document::into_scene)
+                .expect_err("no scene");
+            let message = error.to_string();
+            assert!(rows(&message) <= 24, "{}: {message}", rows(&message));
+            assert!(message.contains("bytes ...]"), "{message}");
+        }
+    }
+}
+
+#[test]
+fn a_long_text_keeps_its_ends() {
+    let shown = catoptric_scene::shown;
+    assert_eq!(shown("", 10), "");
+    assert_eq!(shown("0123456789", 10), "0123456789");
+    assert_eq!(shown("0123456789a", 10), "01234[... 1 bytes ...]6789a");
+    assert_eq!(shown(&"\0".repeat(9), 26), r"\u{0}\u{0}[... 5 bytes ...]\u{0}\u{0}");
+    assert_eq!(shown("éééé", 5), "é[... 4 bytes ...]é");
+}

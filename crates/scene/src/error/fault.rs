@@ -1,6 +1,15 @@
 //! One key that is wrong.
 
-use super::{KeyPath, Trail};
+use super::{KeyPath, Trail, shown};
+
+/// Columns of a key's path, and of one key in it at most half as many.
+const PATH: usize = 160;
+
+/// Columns of what was found.
+const FOUND: usize = 160;
+
+/// Columns of what is allowed, which may list names of the file.
+const ALLOWED: usize = 480;
 
 /// What a message about a key points at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,7 +22,7 @@ pub(crate) enum Target {
 
 /// A key that is wrong: where, what was found, what is allowed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{path}: found {found}; allowed: {allowed}")]
+#[error("{}: found {}; allowed: {}", .path.shown(PATH), shown(.found, FOUND), shown(.allowed, ALLOWED))]
 pub(crate) struct Fault {
     pub(crate) path: KeyPath,
     /// For a value that is out of range exactly the value, as `number` writes numbers.

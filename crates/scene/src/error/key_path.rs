@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::shown;
+
 /// One step of a path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Segment {
@@ -58,28 +60,42 @@ impl From<Trail<'_>> for KeyPath {
     }
 }
 
-impl fmt::Display for KeyPath {
-    /// Keys that TOML would not take bare are quoted, control characters escaped.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl KeyPath {
+    /// Writes the path in at most about `most` columns; of a long key the ends are kept.
+    pub(super) fn shown(&self, most: usize) -> String {
+        shown(&self.text(|key| shown(key, most / 2)), most)
+    }
+
+    /// Joins the segments. Keys that TOML would not take bare are quoted, control characters
+    /// escaped.
+    fn text(&self, short: impl Fn(&str) -> String) -> String {
         if self.0.is_empty() {
-            return f.write_str("top level");
+            return "top level".to_owned();
         }
-        for (depth, segment) in self.0.iter().enumerate() {
+        let mut text = String::new();
+        for segment in &self.0 {
             match segment {
-                Segment::Index(index) => write!(f, "[{index}]")?,
+                Segment::Index(index) => text += &format!("[{index}]"),
                 Segment::Key(key) => {
-                    if depth > 0 {
-                        f.write_str(".")?;
+                    if !text.is_empty() {
+                        text.push('.');
                     }
                     let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
                     if !key.is_empty() && key.chars().all(bare) {
-                        f.write_str(key)?;
+                        text += &short(key);
                     } else {
-                        write!(f, "{key:?}")?;
+                        text += &short(&format!("{key:?}"));
                     }
                 }
             }
         }
-        Ok(())
+        text
+    }
+}
+
+impl fmt::Display for KeyPath {
+    /// The whole path, however long its keys are.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text(str::to_owned))
     }
 }
