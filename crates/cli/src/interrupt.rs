@@ -1,10 +1,11 @@
 //! Signals: SIGINT, SIGTERM and SIGHUP remove what is unfinished and exit 130. A study stops
-//! at the first one and keeps what it has measured.
+//! at the first one and keeps what it has measured. A signal that the caller ignores stays
+//! ignored.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::{fs, process};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
+use std::{fs, process, thread};
 
 use crate::exit::{Exit, say};
 
@@ -40,34 +41,63 @@ pub(crate) fn measuring<T>(measure: impl FnOnce() -> T) -> T {
     measured
 }
 
-/// From here on, an interruption leaves nothing behind.
+/// Leaves nothing behind at an interruption, from here on.
 ///
-/// Not so under `nohup`: the signals are caught together, so the hang-up that the caller
-/// wants ignored could not be told from the others. There they keep their defaults.
+/// Handles those of the signals that the caller has not set to be ignored, as `nohup` does, and
+/// the shell for what it starts in the background.
+///
+/// A failure leaves the signals as they are, which end the program too, and rendering works all
+/// the same.
+#[cfg(unix)]
 pub(crate) fn catch() {
-    if hang_up_is_ignored() {
-        return;
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
+    use signal_hook::iterator::Signals;
+
+    // A write beyond `ulimit -f` fails for whoever handles this one; it would end the program.
+    let _ = signal_hook::flag::register(SIGXFSZ, Arc::default());
+
+    let ignored = ignored();
+    let handled = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| !ignored.contains(signal));
+    let handled: Vec<_> = handled.collect();
+    // The thread comes first: a signal that is caught and not waited for would be lost.
+    let (ready, is_ready) = mpsc::channel::<()>();
+    let wait = move || {
+        let Ok(mut signals) = Signals::new(handled) else { return };
+        drop(ready);
+        signals.forever().for_each(|_| interrupted());
+    };
+    if thread::Builder::new().name("signals".to_owned()).spawn(wait).is_ok() {
+        // Ends when the other side is dropped.
+        let _ = is_ready.recv();
     }
-    // Failing here means that the system lacks handlers; rendering works all the same.
-    let _ = ctrlc::set_handler(move || {
-        if MEASURING.load(Ordering::Relaxed) && !ASKED.swap(true, Ordering::Relaxed) {
-            say(format_args!("interrupted: keeping what is measured; once more ends at once"));
-            return;
-        }
-        // Kept locked to the end: nothing is renamed into place after this line.
-        let unfinished = unfinished();
-        for path in unfinished.iter() {
-            let _ = fs::remove_file(path);
-        }
-        say(format_args!("interrupted: nothing unfinished is left"));
-        process::exit(Exit::Interrupted as i32);
-    });
 }
 
-/// Whether SIGHUP (signal 1, the lowest bit) was ignored by whoever started the program.
-/// Known on Linux alone; elsewhere false.
-fn hang_up_is_ignored() -> bool {
+#[cfg(not(unix))]
+pub(crate) fn catch() {}
+
+/// Asks to stop, or ends the program.
+#[cfg(unix)]
+fn interrupted() {
+    if MEASURING.load(Ordering::Relaxed) && !ASKED.swap(true, Ordering::Relaxed) {
+        say(format_args!("interrupted: keeping what is measured; once more ends at once"));
+        return;
+    }
+    // Kept locked to the end: nothing is renamed into place after this line.
+    let unfinished = unfinished();
+    for path in unfinished.iter() {
+        let _ = fs::remove_file(path);
+    }
+    say(format_args!("interrupted: nothing unfinished is left"));
+    process::exit(Exit::Interrupted as i32);
+}
+
+/// The signals that whoever started the program wants ignored. Known on Linux alone; elsewhere
+/// none.
+#[cfg(unix)]
+fn ignored() -> Vec<i32> {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    ignored.is_some_and(|mask| u64::from_str_radix(mask.trim(), 16).is_ok_and(|mask| mask & 1 == 1))
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0);
+    // The lowest bit is signal 1.
+    (1..=64).filter(|signal| mask >> (signal - 1) & 1 == 1).collect()
 }

@@ -21,13 +21,39 @@ pub(crate) fn start(folder: &Folder, arguments: &str) -> Child {
 
 /// Waits until the program handles signals, which its own status tells.
 fn wait_for_handler(child: &Child) {
-    let caught = || {
-        let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).ok()?;
-        let mask = status.lines().find_map(|line| line.strip_prefix("SigCgt:"))?;
-        // SIGTERM is 15.
-        u64::from_str_radix(mask.trim(), 16).ok().map(|mask| mask >> 14 & 1 == 1)
+    wait_until("signals are handled", || handles(child, "TERM") == Some(true));
+}
+
+/// Whether a process handles a signal, as far as its status can be read.
+fn handles(child: &Child, signal: &str) -> Option<bool> {
+    let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).ok()?;
+    is_in_mask(&status, "SigCgt:", signal)
+}
+
+/// Whether a line of a process's status has a signal in its mask.
+fn is_in_mask(status: &str, line: &str, signal: &str) -> Option<bool> {
+    let number = match signal {
+        "HUP" => 1,
+        "INT" => 2,
+        "TERM" => 15,
+        "XFSZ" => 25,
+        _ => panic!("{signal}"),
     };
-    wait_until("signals are handled", || caught() == Some(true));
+    let mask = status.lines().find_map(|text| text.strip_prefix(line))?;
+    let mask = u64::from_str_radix(mask.trim(), 16).ok()?;
+    Some(mask >> (number - 1) & 1 == 1)
+}
+
+/// Whether whoever runs the tests ignores a signal, which then ends nothing that they start.
+fn is_ignored_here(signal: &str) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    is_in_mask(&status, "SigIgn:", signal) == Some(true)
+}
+
+fn send(child: &Child, signal: &str) {
+    let id = child.id().to_string();
+    let sent = Command::new("kill").args([&format!("-{signal}"), &id]).status();
+    assert!(sent.is_ok_and(|sent| sent.success()), "kill -{signal}");
 }
 
 pub(crate) fn wait_until(what: &str, mut reached: impl FnMut() -> bool) {
@@ -40,9 +66,8 @@ pub(crate) fn wait_until(what: &str, mut reached: impl FnMut() -> bool) {
 
 /// Sends a signal and expects exit code 130 within a minute.
 pub(crate) fn interrupt(mut child: Child, signal: &str) {
-    let id = child.id().to_string();
-    let sent = Command::new("kill").args([&format!("-{signal}"), &id]).status();
-    assert!(sent.is_ok_and(|sent| sent.success()), "kill -{signal}");
+    let signal = if is_ignored_here(signal) { "TERM" } else { signal };
+    send(&child, signal);
     let mut ended = None;
     wait_until("the program ends", || {
         ended = child.try_wait().expect("a status");
@@ -69,6 +94,66 @@ fn a_long_rendering_leaves_nothing() {
             assert_eq!(folder.contents(), before, "{signal}, {output}");
         }
     }
+}
+
+/// A signal that whoever starts the program ignores stays so, as for `nohup` and for what a shell
+/// starts in the background; the others are handled all the same.
+#[test]
+fn a_signal_that_the_caller_ignores_stays_ignored() {
+    let folder = Folder::new();
+    folder.write("there.png", "kept");
+    let before = folder.contents();
+    for (ignored, signal) in [("INT", "TERM"), ("TERM", "INT"), ("HUP", "INT"), ("TERM HUP", "INT")]
+    {
+        if is_ignored_here(signal) {
+            println!("skipped: {signal} is ignored by whoever runs this");
+            continue;
+        }
+        for command in [
+            "render scene.toml -o there.png --width 4000 --height 4000 --samples 256",
+            "study depth scene.toml --depths 1 --repeat 1000000 --json -q",
+        ] {
+            let child = Command::new("sh")
+                .args(["-c", &format!("trap '' {ignored}; exec {CATOPTRIC} {command}")])
+                .current_dir(folder.path("."))
+                .stdout(Stdio::null())
+                .stderr(Stdio::null())
+                .spawn()
+                .expect("the program starts");
+            wait_until("signals are handled", || handles(&child, signal) == Some(true));
+            for name in ignored.split(' ') {
+                assert_eq!(handles(&child, name), Some(false), "{name}");
+                send(&child, name);
+            }
+            sleep(Duration::from_millis(100));
+            // The one that is not ignored finds it running, and ends it as ever.
+            interrupt(child, signal);
+        }
+        assert_eq!(folder.contents(), before, "{ignored}");
+    }
+}
+
+#[test]
+fn a_rendering_goes_on_where_all_signals_are_ignored() {
+    let folder = Folder::new();
+    // Waits for its reader, so that the signals come before the end.
+    let fifo = folder.path("fifo");
+    assert!(Command::new("mkfifo").arg(&fifo).status().is_ok_and(|made| made.success()));
+    let run = format!("trap '' INT TERM HUP; exec {CATOPTRIC} render scene.toml -q -o fifo");
+    let mut child = Command::new("sh")
+        .args(["-c", &format!("{run} --format ppm")])
+        .current_dir(folder.path("."))
+        .spawn()
+        .expect("the program starts");
+    // SIGXFSZ is handled at the same time as the others would be.
+    wait_until("signals are handled", || handles(&child, "XFSZ") == Some(true));
+    for signal in ["INT", "TERM", "HUP"] {
+        send(&child, signal);
+    }
+    sleep(Duration::from_millis(100));
+    let picture = std::fs::read(fifo).expect("a picture");
+    assert!(picture.starts_with(b"P6"));
+    assert_eq!(child.wait().expect("a status").code(), Some(0));
 }
 
 #[test]
