@@ -11,6 +11,7 @@ use crate::exit::{Exit, Failure};
 use crate::format::{Picture, png};
 use crate::input::{self, is_stream};
 use crate::interrupt;
+use crate::json;
 use crate::output::{Target, commit};
 use difference::Difference;
 use report::Report;
@@ -75,14 +76,8 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let image = options.diff.as_deref().map(|path| stage_image(options, path, &a, &b, &difference));
     let image = image.transpose()?;
     let report = Report::new(options, &difference);
-    stdout.stage(|to| {
-        if options.json {
-            serde_json::to_writer_pretty(&mut *to, &report)?;
-            writeln!(to)
-        } else {
-            write!(to, "{report}")
-        }
-    })?;
+    stdout
+        .stage(|to| if options.json { json::write(to, &report) } else { write!(to, "{report}") })?;
     commit(image)?;
     Ok(if difference.pixels == 0 { Exit::Done } else { Exit::Failed })
 }

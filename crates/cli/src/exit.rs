@@ -4,6 +4,14 @@ use std::fmt;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use catoptric_scene::{SceneError, shown};
+
+/// Columns of a file's name among words on stdout.
+pub(crate) const NAME: usize = 480;
+
+/// Columns of a message: half a screen of 80 x 24.
+const MESSAGE: usize = 960;
+
 /// The exit codes. `--help` lists them; scripts rely on them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Exit {
@@ -30,7 +38,8 @@ impl From<Exit> for ExitCode {
 /// Why the program stops early.
 ///
 /// The message names what was found, what is allowed and what to do, without a prefix and
-/// without a full stop; only a scene's may have more than one line.
+/// without a full stop; only a scene's may have more than one line. It does nothing to a
+/// terminal, whatever names and texts of others are in it, and fits its screen.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Failure {
     pub(crate) exit: Exit,
@@ -38,33 +47,48 @@ pub(crate) struct Failure {
 }
 
 impl Failure {
+    /// A message of one line.
+    fn new(exit: Exit, message: impl fmt::Display) -> Self {
+        Self { exit, message: shown(&message.to_string(), MESSAGE) }
+    }
+
     /// Exit code 1.
     pub(crate) fn failed(message: impl fmt::Display) -> Self {
-        Self { exit: Exit::Failed, message: message.to_string() }
+        Self::new(Exit::Failed, message)
     }
 
     /// Exit code 2.
     pub(crate) fn wrong_use(message: impl fmt::Display) -> Self {
-        Self { exit: Exit::WrongUse, message: message.to_string() }
+        Self::new(Exit::WrongUse, message)
     }
 
     /// Exit code 3.
     pub(crate) fn bad_input(message: impl fmt::Display) -> Self {
-        Self { exit: Exit::BadInput, message: message.to_string() }
+        Self::new(Exit::BadInput, message)
+    }
+
+    /// Exit code 3 for a scene, with its lines as they are.
+    pub(crate) fn bad_scene(error: SceneError) -> Self {
+        Self { exit: Exit::BadInput, message: error.to_string() }
     }
 
     /// Exit code 4.
     pub(crate) fn not_written(message: impl fmt::Display) -> Self {
-        Self { exit: Exit::NotWritten, message: message.to_string() }
+        Self::new(Exit::NotWritten, message)
     }
 
     /// Says it on stderr. Where even that cannot be written, the exit code must do.
     pub(crate) fn report(&self) {
-        say(format_args!("error: {}", self.message));
+        write_stderr(format_args!("error: {}", self.message));
     }
 }
 
-/// One line on stderr. A closed stderr is no reason to stop (`eprintln!` would panic).
+/// One line on stderr, whatever names are in it.
 pub(crate) fn say(line: fmt::Arguments<'_>) {
-    let _ = writeln!(io::stderr(), "{line}");
+    write_stderr(format_args!("{}", shown(&line.to_string(), MESSAGE)));
+}
+
+/// Writes text and a line break. A closed stderr is no reason to stop (`eprintln!` would panic).
+fn write_stderr(text: fmt::Arguments<'_>) {
+    let _ = writeln!(io::stderr(), "{text}");
 }

@@ -18,7 +18,7 @@ use serde::Serialize;
 use crate::exit::{Exit, Failure, say};
 use crate::input::is_stream;
 use crate::output::{Target, commit};
-use crate::{interrupt, machine, scene};
+use crate::{interrupt, json, machine, scene};
 use account::Account;
 use life::Life;
 
@@ -176,18 +176,11 @@ fn page_target(path: &Path, scene: &Path) -> Result<Target, Failure> {
 
 /// One document on stdout, as JSON or as words.
 fn print(
-    json: bool,
+    as_json: bool,
     document: &impl Serialize,
     words: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
     let stdout = Target::stdout()?;
-    let staged = stdout.stage(|to| {
-        if json {
-            serde_json::to_writer_pretty(&mut *to, document)?;
-            writeln!(to)
-        } else {
-            words(to)
-        }
-    });
+    let staged = stdout.stage(|to| if as_json { json::write(to, document) } else { words(to) });
     staged.map(drop)
 }

@@ -16,13 +16,17 @@
 //! input.rs      bytes of a file or of stdin
 //! output.rs     where bytes go: beside and renamed, or directly
 //!   output/       what a path leads to, files beside their names, files that the caller opened
+//! json.rs       JSON documents
 //! interrupt.rs  signals: remove what is unfinished, exit 130
-//! machine.rs    instruction sets and threads
+//! machine.rs    instruction sets
+//!   machine/      threads and their stacks, limits of the process and of its memory cgroup
+//! arguments.rs  the command line, and what is wrong with it
 //! memory.rs     sizes, and what a rendering will take
 //! whole.rs      whole numbers of the command line
 //! exit.rs       exit codes and error messages
 //! ```
 
+mod arguments;
 mod compare;
 mod exit;
 mod explain;
@@ -30,6 +34,7 @@ mod format;
 mod generate;
 mod input;
 mod interrupt;
+mod json;
 mod machine;
 mod memory;
 mod output;
@@ -47,6 +52,8 @@ use exit::Exit;
 /// Whitted ray tracing of spheres and planes: Phong light, hard shadows, mirrors
 #[derive(Parser)]
 #[command(name = "catoptric", version, arg_required_else_help = true, after_help = EXIT_CODES)]
+// Not what the program was started as, which may be anything.
+#[command(bin_name = "catoptric")]
 struct Catoptric {
     #[command(subcommand)]
     command: Command,
@@ -81,6 +88,7 @@ fn main() -> ExitCode {
                 failure.report();
                 return failure.exit.into();
             }
+            let answer = arguments::shown(answer);
             let printed = answer.print();
             return match (answer.exit_code(), printed) {
                 (0, Ok(())) => Exit::Done.into(),

@@ -16,6 +16,7 @@ use crate::exit::{Exit, Failure, say};
 use crate::format::Format;
 use crate::input::is_stream;
 use crate::interrupt;
+use crate::json;
 use crate::machine;
 use crate::memory::Need;
 use crate::output::{Target, commit};
@@ -91,12 +92,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         depths: stats::depths(&counts),
         plan: plan.as_ref().map(|plan| stats::Planned::of(plan, film)),
     };
-    let reported = report.map(|report| {
-        report.stage(|to| {
-            serde_json::to_writer_pretty(&mut *to, &stats)?;
-            writeln!(to)
-        })
-    });
+    let reported = report.map(|report| report.stage(|to| json::write(to, &stats)));
     commit([staged].into_iter().chain(reported.transpose()?))?;
     if !options.quiet {
         summarise(&picture, &stats);

@@ -16,7 +16,7 @@ const SCENE_BYTES: u64 = 2 << 30;
 /// Exit code 3.
 pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     let (document, _) = document(path, SCENE_BYTES, "a scene may take that much")?;
-    document.into_scene().map_err(Failure::bad_input)
+    document.into_scene().map_err(Failure::bad_scene)
 }
 
 /// Reads a scene, not yet validated, and says how many bytes its text has. It takes at most
@@ -35,7 +35,7 @@ pub(crate) fn document(path: &Path, limit: u64, advice: &str) -> Result<(Documen
         if error.is_over_limit() {
             Failure::bad_input(format_args!("{error}: {advice}"))
         } else {
-            Failure::bad_input(error)
+            Failure::bad_scene(error)
         }
     })?;
     Ok((document, bytes))

@@ -6,6 +6,7 @@ mod subjects;
 
 use std::ffi::OsString;
 
+use catoptric_scene::is_visible;
 use catoptric_study::occasion::Occasion;
 use catoptric_study::report::Report;
 use catoptric_study::subject::Subject;
@@ -128,13 +129,18 @@ fn without_repeats<T: Copy + PartialEq>(asked: &[T]) -> Vec<T> {
     once
 }
 
-/// The command line as a shell takes it. What is no text is shown with U+FFFD in its place.
+/// The command line as a shell takes it. What is no text, or would not be seen, is shown with
+/// U+FFFD in its place.
 fn command_line(arguments: impl Iterator<Item = OsString>) -> String {
     let quoted = |argument: OsString| {
         let text = argument.to_string_lossy();
+        let text: String = text
+            .chars()
+            .map(|c| if is_visible(c) { c } else { char::REPLACEMENT_CHARACTER })
+            .collect();
         let plain = |c: char| c.is_alphanumeric() || "-_./,:=+@%\u{fffd}".contains(c);
         if !text.is_empty() && text.chars().all(plain) {
-            return text.into_owned();
+            return text;
         }
         format!("'{}'", text.replace('\'', "'\\''"))
     };

@@ -20,4 +20,5 @@ mod signals;
 mod stats;
 mod streams;
 mod study;
+mod terminal;
 mod views;

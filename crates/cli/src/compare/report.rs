@@ -2,10 +2,12 @@
 
 use std::fmt;
 
+use catoptric_scene::shown;
 use serde::Serialize;
 
 use super::Options;
 use super::difference::{Difference, First, Pair, Values, ulps};
+use crate::exit::NAME;
 use crate::input;
 
 /// What `compare` says. Every key is always there.
@@ -116,10 +118,11 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let all = u64::from(self.width) * u64::from(self.height);
         let size = format_args!("{}x{}, {}", self.width, self.height, self.values);
+        let (a, b) = (shown(&self.a, NAME), shown(&self.b, NAME));
         if self.equal {
-            writeln!(f, "{} and {} are equal ({size})", self.a, self.b)?;
+            writeln!(f, "{a} and {b} are equal ({size})")?;
         } else {
-            writeln!(f, "{} and {} differ ({size})", self.a, self.b)?;
+            writeln!(f, "{a} and {b} differ ({size})")?;
             writeln!(f, "pixels that differ     {} of {all}", self.pixels)?;
         }
         if let Some(first) = &self.first {

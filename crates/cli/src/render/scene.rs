@@ -20,7 +20,7 @@ pub(super) fn load(options: &Options) -> Result<Loaded, Failure> {
     let (mut document, text) =
         crate::scene::document(&options.scene, options.memory_limit.0, "raise --memory-limit")?;
     options.override_scene(document.draft_mut());
-    let scene = document.into_scene().map_err(Failure::bad_input)?;
+    let scene = document.into_scene().map_err(Failure::bad_scene)?;
     let bytes = text + stated(&scene) + made(&scene);
     Ok(Loaded { scene, bytes })
 }

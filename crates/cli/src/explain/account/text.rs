@@ -2,8 +2,11 @@
 
 use std::io::{self, Write};
 
+use catoptric_scene::shown;
+
 use super::features::{Has, is_grey};
 use super::{Account, FAR};
+use crate::exit::NAME;
 
 /// Rows of a table at its beginning that are all shown.
 const ALL: usize = 9;
@@ -13,7 +16,7 @@ const FACTORS: usize = 6;
 
 pub(in crate::explain) fn write(account: &Account, to: &mut dyn Write) -> io::Result<()> {
     let Account { scene, width, height, transfer, numerics, max_depth, min_weight, .. } = account;
-    writeln!(to, "{scene}")?;
+    writeln!(to, "{}", shown(scene, NAME))?;
     writeln!(to, "{width}x{height} pixels, transfer {transfer}, numerics {numerics}")?;
     writeln!(to, "max_depth {max_depth}, min_weight {min_weight}")?;
 

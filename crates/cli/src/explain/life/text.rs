@@ -4,8 +4,10 @@
 use std::io::{self, Write};
 
 use catoptric_ladder::Event;
+use catoptric_scene::shown;
 
 use super::{Last, Life, Pixel};
+use crate::exit::NAME;
 use crate::explain::account::numerics;
 
 /// One event as people read it.
@@ -43,7 +45,7 @@ pub(in crate::explain) fn about(life: &Life) -> Vec<String> {
     let render = life.scene.render;
     let limits = format!("max_depth {}, min_weight {}", render.max_depth, render.min_weight);
     vec![
-        format!("{}, pixel {x},{y} of {}x{}", life.name, image.width, image.height),
+        format!("{}, pixel {x},{y} of {}x{}", shown(life.name, NAME), image.width, image.height),
         format!("numerics {}, {limits}; reflections: {}", numerics(life.scene), life.deepest()),
         format!("points are relative to the eye, which is at {ex} {ey} {ez}"),
         format!(
