@@ -110,7 +110,12 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let scene = scene::read(&options.scene)?;
     let threads = machine::available_threads();
     let threads = Threads::new([threads]).map_err(|error| {
-        Failure::failed(format_args!("{threads} threads cannot be had: {error}"))
+        let stack = catoptric_reference::STACK_BYTES;
+        let fewer = |threads| match threads {
+            1 => "run it on one processor (taskset -c 0)".to_owned(),
+            _ => format!("run it on {threads} processors (taskset -c 0-{})", threads - 1),
+        };
+        machine::Wanted { threads, stack, fewer, instead: None }.refused(&error)
     })?;
     match options.pixel {
         None => {

@@ -1,11 +1,16 @@
-//! What this machine offers: instruction sets and threads.
+//! What this machine offers: instruction sets, threads and their stacks, memory.
+
+mod cgroup;
+mod limits;
+mod threads;
 
 use std::env;
-use std::thread;
 
 use catoptric_core::Isa;
 
 use crate::exit::Failure;
+pub(crate) use cgroup::memory_left;
+pub(crate) use threads::{STACK, Wanted, available as available_threads, on_enough_stack};
 
 /// The instruction set that `CATOPTRIC_ISA` asks for, lowered to what the processor has.
 /// Empty is as good as not set.
@@ -28,9 +33,4 @@ pub(crate) fn instruction_set() -> Result<Isa, Failure> {
             )))
         }
     }
-}
-
-/// As many as the system can run at once, as far as it says so.
-pub(crate) fn available_threads() -> usize {
-    thread::available_parallelism().map_or(1, usize::from).min(1024)
 }

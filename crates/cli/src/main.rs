@@ -78,6 +78,10 @@ Exit codes:
   130  interrupted";
 
 fn main() -> ExitCode {
+    machine::on_enough_stack(program)
+}
+
+fn program() -> ExitCode {
     let asked = match Catoptric::try_parse() {
         Ok(asked) => asked,
         // Help and version come this way too, with code 0.

@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use crate::exit::Failure;
 use crate::format::Format;
+use crate::machine;
 
 /// A number of bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,6 +59,9 @@ impl fmt::Display for Size {
     }
 }
 
+/// Bytes that the program takes beside what is counted: its code, stacks, tiles and buffers.
+const OWN: u64 = 16 << 20;
+
 /// What a rendering is made of, as far as its memory goes. What a thread keeps of a tile, and its
 /// stack, are not part of it.
 pub(crate) struct Need {
@@ -84,12 +88,12 @@ impl Need {
         picture + grid + self.scene
     }
 
-    /// What is left of the limit: bytes for the stacks of deep paths.
+    /// What is left of the limit: bytes for the stacks of deep paths, and how to have more.
     ///
     /// # Errors
-    /// Exit code 3 if the limit is not enough, or the system's memory. Nothing has been
-    /// taken then.
-    pub(crate) fn within(&self, limit: Size) -> Result<u64, Failure> {
+    /// Exit code 3 if the limit is not enough, or the memory of the system or of its control
+    /// group. Nothing has been taken then.
+    pub(crate) fn within(&self, limit: Size) -> Result<(u64, &'static str), Failure> {
         let need = self.bytes();
         let refused = |why: fmt::Arguments<'_>| {
             let (width, height, size) = (self.width, self.height, Size(need));
@@ -97,13 +101,26 @@ impl Need {
                 "a picture of {width}x{height} needs {size} of memory ({need} bytes), {why} render parts with --crop"
             ))
         };
+        // First, since no larger limit of the program's own would help.
+        let granted_by_group = match machine::memory_left() {
+            None => u64::MAX,
+            Some(left) => left.saturating_sub(OWN).checked_sub(need).ok_or_else(|| {
+                let left = Size(left.saturating_sub(OWN));
+                refused(format_args!(
+                    "of which the memory cgroup leaves {left}: raise its limit, or"
+                ))
+            })?,
+        };
         let left = limit.0.checked_sub(need).ok_or_else(|| {
             refused(format_args!("the limit is {limit}: raise --memory-limit, or"))
         })?;
         if !granted(need) {
             return Err(refused(format_args!("which the system does not grant:")));
         }
-        Ok(left)
+        Ok(match granted_by_group < left {
+            true => (granted_by_group, "raise the limit of the memory cgroup"),
+            false => (left, "raise --memory-limit"),
+        })
     }
 }
 

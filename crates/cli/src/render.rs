@@ -47,7 +47,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let film = options.engine == Engine::Recursive || !format.is_8_bit();
     let samples = options.samples;
     let need = Need { width, height, samples, format, film, scene: bytes };
-    let stack_limit = need.within(options.memory_limit)?;
+    let (stack_limit, more_stack) = need.within(options.memory_limit)?;
     let (picture, report) = targets(options, &path)?;
 
     let quantiser = Quantiser::new(scene.image.transfer);
@@ -57,6 +57,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         isa,
         threads,
         stack_limit,
+        more_stack,
         levels: (!film).then_some(&quantiser),
     };
     let pool = tracing.pool()?;

@@ -68,7 +68,13 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
 
 fn pools<const N: usize>(threads: [usize; N]) -> Result<Threads, Failure> {
     Threads::new(threads).map_err(|error| {
-        Failure::failed(format_args!("{threads:?} threads cannot be had: {error}; lower --threads"))
+        // The pools are kept side by side.
+        let (threads, stack) = (threads.iter().sum(), catoptric_reference::STACK_BYTES);
+        let fewer = |threads| {
+            let each = usize::max(threads / 2, 1);
+            format!("lower --threads to {each}, on so many processors (taskset -c 0-{})", each - 1)
+        };
+        machine::Wanted { threads, stack, fewer, instead: None }.refused(&error)
     })
 }
 

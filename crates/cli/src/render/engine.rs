@@ -9,6 +9,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::exit::Failure;
 use crate::format::{Levels, Picture};
+use crate::machine;
 
 /// What traces the rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +56,8 @@ pub(super) struct Tracing<'a> {
     pub(super) threads: usize,
     /// Bytes for the packet engine's stacks.
     pub(super) stack_limit: u64,
+    /// How to have more of them.
+    pub(super) more_stack: &'static str,
     /// If the packet engine is to give no more than levels: how it makes them.
     pub(super) levels: Option<&'a Quantiser>,
 }
@@ -77,20 +80,31 @@ impl Tracing<'_> {
     /// Exit code 1 if the system does not grant the threads.
     pub(super) fn pool(&self) -> Result<ThreadPool, Failure> {
         let builder = ThreadPoolBuilder::new().num_threads(self.threads);
-        let builder = match (self.engine, self.precision) {
+        let builder = match self.engine {
             // This thread traces too instead of waiting.
-            (Engine::Packet, _) => builder.use_current_thread(),
-            (Engine::Recursive, Precision::F32) => {
-                builder.stack_size(catoptric_reference::STACK_BYTES)
-            }
-            (Engine::Recursive, _) => builder.stack_size(truth::STACK_BYTES),
+            Engine::Packet => builder.use_current_thread(),
+            Engine::Recursive => builder,
         };
-        builder.build().map_err(|error| {
-            let threads = self.threads;
-            Failure::failed(format_args!(
-                "{threads} threads cannot be had: {error}; lower --threads"
-            ))
+        let stack = self.stack_bytes();
+        builder.stack_size(stack).build().map_err(|error| {
+            let instead = match (self.engine, self.precision) {
+                (Engine::Recursive, Precision::F32) => {
+                    Some("use --engine packet --threads 1, which needs none")
+                }
+                _ => None,
+            };
+            let fewer = |threads| format!("lower --threads to {threads}");
+            machine::Wanted { threads: self.threads, stack, fewer, instead }.refused(&error)
         })
+    }
+
+    /// Bytes of each thread's stack.
+    fn stack_bytes(&self) -> usize {
+        match (self.engine, self.precision) {
+            (Engine::Packet, _) => machine::STACK,
+            (Engine::Recursive, Precision::F32) => catoptric_reference::STACK_BYTES,
+            (Engine::Recursive, _) => truth::STACK_BYTES,
+        }
     }
 
     /// Renders on rayon's current threads. `done` is told how many pixels were added.
@@ -146,8 +160,9 @@ impl Tracing<'_> {
                     }
                 };
                 traced.map_err(|full| {
+                    let more = self.more_stack;
                     Failure::failed(format_args!(
-                        "{full}: raise --memory-limit, lower --max-depth or raise --min-weight"
+                        "{full}: {more}, lower --max-depth or raise --min-weight"
                     ))
                 })?
             }
