@@ -189,7 +189,7 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "a cut by weight that ends paths one reflection early",
-        file: "plan.rs",
+        file: "cut.rs",
         sound: "return depth",
         instead: "return depth.saturating_sub(1)",
     },

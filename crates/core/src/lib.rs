@@ -8,7 +8,9 @@
 //! lanes are made of.
 
 mod ball;
+mod cut;
 mod flat;
+mod holders;
 mod isa;
 mod lanes;
 mod light;

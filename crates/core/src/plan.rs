@@ -7,6 +7,7 @@ use catoptric_scene::{Compiled, Grid, Numerics, Phong, Power, Scalar, Shape};
 use glam::DVec3;
 
 use crate::PacketScalar;
+use crate::cut::reflections_above;
 use crate::lanes::Lane;
 use crate::nested;
 use crate::occluders::Occluders;
@@ -126,17 +127,20 @@ pub struct Plan {
     pub features: Features,
     /// Reflections that can occur, at most the scene's max_depth: none without a mirror, 1 with
     /// a single one that is not around the eye, since no ray meets again what it just left, and
-    /// no more than the weights of the strongest mirror stay above the cut.
+    /// no more than the weights of the strongest mirror stay above the cut (`cut`).
     pub depth: u32,
     /// What is left out.
     pub omitted: Vec<Omission>,
+    /// Indices of the spheres that are inside others: found once.
+    nested: Vec<u32>,
 }
 
 impl Plan {
     /// The plan for a view of a scene.
     #[must_use]
     pub fn new<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> Self {
-        let features = Features::of(scene, grid);
+        let nested = nested::nested(scene);
+        let features = Features::of(scene, grid, &nested);
         let robust = scene.numerics == Numerics::Robust;
         let applies = |omission: &Omission| match omission {
             Omission::Nested => features.nested > 0,
@@ -146,14 +150,15 @@ impl Plan {
             Omission::Shadows => features.lamps > 0 && scene.materials.iter().any(is_unlit),
         };
         let omitted = Omission::ALL.into_iter().filter(applies).collect();
-        Self { features, depth: depth(scene), omitted }
+        Self { features, depth: depth(scene), omitted, nested }
     }
 
     /// A plan that leaves nothing out.
     #[must_use]
     pub fn everything<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> Self {
-        let features = Features::of(scene, grid);
-        Self { features, depth: scene.max_depth, omitted: Vec::new() }
+        let nested = nested::nested(scene);
+        let features = Features::of(scene, grid, &nested);
+        Self { features, depth: scene.max_depth, omitted: Vec::new(), nested }
     }
 
     /// This plan, with that omission not made.
@@ -171,9 +176,9 @@ impl Plan {
 }
 
 impl Features {
-    fn of<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> Self {
+    fn of<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>, nested: &[u32]) -> Self {
         let mut these = Self {
-            nested: scene.primitives.len() - nested::reachable(scene).len(),
+            nested: nested.len(),
             cut: scene.min_weight > S::ZERO,
             samples: grid.samples,
             ..Self::default()
@@ -212,7 +217,8 @@ impl Features {
 
 /// The primitives that rays try, by index in ascending order.
 pub(crate) fn tried<S: Scalar>(scene: &Compiled<S>, plan: &Plan) -> Vec<u32> {
-    if plan.omits(Omission::Nested) { nested::reachable(scene) } else { nested::all(scene) }
+    let nested: &[u32] = if plan.omits(Omission::Nested) { &plan.nested } else { &[] };
+    nested::others(scene, nested)
 }
 
 /// Whether no lamp's light comes back from a material.
@@ -222,7 +228,7 @@ pub(crate) fn is_unlit<S: Scalar>(material: &Phong<S>) -> bool {
     material.specular == S::ZERO && r == S::ZERO && g == S::ZERO && b == S::ZERO
 }
 
-/// Reflections that can occur.
+/// Reflections that can occur, at most.
 fn depth<S: Scalar>(scene: &Compiled<S>) -> u32 {
     let mirror = |material: u32| scene.materials[material as usize].mirror;
     let mut mirrors = scene.primitives.iter().filter(|p| mirror(p.material) > S::ZERO);
@@ -238,24 +244,7 @@ fn depth<S: Scalar>(scene: &Compiled<S>) -> u32 {
     let most = if most < scene.max_depth { most } else { scene.max_depth };
     let larger = |a, b| if a > b { a } else { b };
     let strongest = scene.primitives.iter().map(|p| mirror(p.material)).fold(S::ZERO, larger);
-    depth_of_cut(strongest, scene.min_weight, most)
-}
-
-/// How many reflections by a mirror of factor k keep a weight that is not cut, at most `most`.
-///
-/// Rounding is monotone: no path's weight, formed by the same products with factors of at most
-/// k, is larger.
-fn depth_of_cut<S: Scalar>(k: S, min_weight: S, most: u32) -> u32 {
-    /// So many products are formed; one that many of do not reach the cut has no end here.
-    const STEPS: u32 = 1 << 16;
-    let mut weight = S::rounded(1.0);
-    for depth in 0..if most < STEPS { most } else { STEPS } {
-        weight = weight * k;
-        if weight < min_weight {
-            return depth;
-        }
-    }
-    most
+    reflections_above(scene.min_weight, strongest, most)
 }
 
 /// How many of a view's tiles can show how many primitives.
@@ -272,7 +261,7 @@ pub struct TileCandidates {
 /// What the eye rays of a view's tiles have to try.
 #[must_use]
 pub fn tile_candidates<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> TileCandidates {
-    let sights = Sights::new(scene, nested::reachable(scene));
+    let sights = Sights::new(scene, nested::others(scene, &nested::nested(scene)));
     let (mut sum, mut list) = (TileCandidates::default(), Vec::new());
     let samples = grid.samples as usize;
     for rows in grid.rows.chunks(tile::HEIGHT * samples) {
@@ -312,7 +301,7 @@ pub(crate) fn occluders_of<S: Lane>(scene: &Compiled<S>, lamp: usize, receiver: 
         }
         _ => (DVec3::ZERO, f64::INFINITY),
     };
-    // Balls inside others too: to find them takes all pairs of balls, and here one pair is asked for.
+    // Balls inside others too: to find them takes longer than what is asked for here.
     let occluders = Occluders::new(scene, &nested::all(scene));
     let mut list = vec![0; occluders.len() + 1];
     let left = u32::try_from(receiver).expect("fewer than 2^32 primitives");

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use catoptric_core::{Isa, Plan, Settings, render_levels};
+use catoptric_core::{Isa, Plan, Settings, render_levels_planned, render_planned};
 use catoptric_reference::truth::{self, Truth};
 use catoptric_scene::{Compiled, Counts, Crop, Film, Grid, Quantiser, Scene, View};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -140,22 +140,24 @@ impl Tracing<'_> {
         let compiled = Compiled::new(scene);
         let grid = Grid::new(view);
         let compile = start.elapsed();
-        let plan = (self.engine == Engine::Packet).then(|| Plan::new(&compiled, &grid));
+        let mut plan = None;
         let (width, height) = (view.crop().width, view.crop().height);
         let (picture, counts) = match self.engine {
             Engine::Packet => {
                 let stack_limit = usize::try_from(self.stack_limit).unwrap_or(usize::MAX);
                 let settings = Settings { isa: self.isa, stack_limit };
+                let plan = plan.insert(Plan::new(&compiled, &grid));
+                let (scene, grid) = (&compiled, &grid);
                 let traced = match self.levels {
                     Some(quantiser) => {
                         let mut levels = Levels::new(width, height);
                         let pixels = &mut levels.pixels;
-                        render_levels(&compiled, &grid, quantiser, pixels, settings, done)
+                        render_levels_planned(scene, plan, grid, quantiser, pixels, settings, done)
                             .map(|counts| (Picture::Levels(levels), counts))
                     }
                     None => {
                         let mut film = Film::new(width, height);
-                        catoptric_core::render(&compiled, &grid, &mut film, settings, done)
+                        render_planned(scene, plan, grid, &mut film, settings, done)
                             .map(|counts| (Picture::Linear(film), counts))
                     }
                 };
