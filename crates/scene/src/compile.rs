@@ -9,6 +9,7 @@
 
 mod camera;
 mod forms;
+mod hidden;
 mod material;
 
 use std::collections::HashMap;
@@ -104,14 +105,16 @@ impl<S: Scalar> Compiled<S> {
 
 /// The lights, in the camera's axes.
 fn lights<S: Scalar>(scene: &Draft, axes: &CameraAxes) -> Vec<PointLight<S>> {
-    let robust = scene.render.numerics == Numerics::Robust;
-    scene
-        .lights
-        .iter()
-        .map(|light| PointLight {
+    let hidden = match scene.render.numerics {
+        Numerics::Robust => hidden::hidden(scene),
+        Numerics::Textbook => vec![false; scene.lights.len()],
+    };
+    let lights = scene.lights.iter().zip(hidden);
+    lights
+        .map(|(light, hidden)| PointLight {
             position: nearest3::<S>(axes.point(light.position)),
             intensity: rounded3::<S>(light.intensity),
-            hidden: robust && forms::hides(scene, light.position),
+            hidden,
         })
         .collect()
 }

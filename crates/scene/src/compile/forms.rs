@@ -133,21 +133,6 @@ pub(super) fn firsts(scene: &Draft) -> Vec<bool> {
     of_spheres.chain(of_planes).map(|first| first || all).collect()
 }
 
-/// Whether some primitive stands between a light and all that the eye can see.
-pub(super) fn hides(scene: &Draft, light: [f64; 3]) -> bool {
-    let zero = DoubleDouble::default();
-    let eye = scene.camera.position;
-    let by_sphere = scene.spheres.iter().any(|s| {
-        let (eye, light) = (power_of(s, eye), power_of(s, light));
-        if eye < zero { light > zero } else { light < zero }
-    });
-    let by_plane = scene.planes.iter().any(|p| {
-        let (eye, light) = (scaled_height(p, eye), scaled_height(p, light));
-        if eye < zero { light > zero } else { light < zero }
-    });
-    by_sphere || by_plane
-}
-
 /// A sphere is a flat where its radius is at least so many times the eye's distance from it.
 const FLAT_FROM: f64 = 4.0;
 
@@ -193,7 +178,7 @@ fn exact_normal(plane: &Plane) -> [DoubleDouble; 3] {
 }
 
 /// |x - c|^2 - r^2: negative inside, positive outside.
-fn power_of(sphere: &Sphere, x: [f64; 3]) -> DoubleDouble {
+pub(super) fn power_of(sphere: &Sphere, x: [f64; 3]) -> DoubleDouble {
     let d: [_; 3] = std::array::from_fn(|i| DoubleDouble::difference(x[i], sphere.center[i]));
     let r = DoubleDouble::from(sphere.radius);
     d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - r * r
@@ -208,7 +193,7 @@ fn height(plane: &Plane, x: [f64; 3]) -> DoubleDouble {
 /// [`height`] times the length of the stated normal, which says on which side of the plane x is: the
 /// products are exact, so of a point that is stated to be on the plane it is 0, however the plane
 /// lies. A unit normal's rounding would put it on one side or the other.
-fn scaled_height(plane: &Plane, x: [f64; 3]) -> DoubleDouble {
+pub(super) fn scaled_height(plane: &Plane, x: [f64; 3]) -> DoubleDouble {
     let normal = tamed(plane.normal);
     let along =
         |i: usize| DoubleDouble::from(normal[i]) * DoubleDouble::difference(x[i], plane.point[i]);

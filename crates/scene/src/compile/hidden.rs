@@ -1,0 +1,357 @@
+//! Which lamps some primitive hides from all that the eye can see.
+//!
+//! It is decided in double-double, as if every primitive were asked about every lamp. Two things
+//! make that cheap, and change no answer:
+//!
+//! - Where f64 leaves no doubt about a sign, double-double is not asked. With u = 2^-53, the square of
+//!   a distance is within 6u of itself, a radius squared within u, and their difference rounds by u
+//!   of itself: the sign is right where it is further from 0 than 16u of the two squares' sum. A
+//!   height over a plane is a sum of three products, each off by 2u and added with 2u more: its sign is
+//!   right above 16u of the sum of their magnitudes. Double-double is off by less than 100u^2 of the same.
+//! - Lamps stand in a tree of boxes. A primitive that surely hides no point of a box is not asked about
+//!   the lamps in it, nor about lamps that are known to be hidden. A box counts as surely not hidden
+//!   only with a room of 1e-12 of the same sums, which is far above what f64 is off by.
+//!
+//! Primitives and lamps that have a product of coordinates near 1e-290, where products round to
+//! less than their share, are asked in double-double.
+
+use super::forms::{power_of, scaled_height};
+use crate::direction::tamed;
+use crate::{DoubleDouble, Draft, Plane, Sphere};
+
+/// 16u, above the error of f64.
+const DOUBT: f64 = 2e-15;
+
+/// What a box has to be further away by.
+const ROOM: f64 = 1e-12;
+
+/// Below it products may be rounded by more than u of themselves.
+const FAINT: f64 = 1e-290;
+
+/// Lamps of a box that has no boxes in it, at most.
+const LEAF: usize = 8;
+
+/// For each light, whether some primitive stands between it and all that the eye can see.
+pub(super) fn hidden(scene: &Draft) -> Vec<bool> {
+    hidden_in_steps(scene, &mut || ())
+}
+
+/// [`hidden`], which tells of every box and of every lamp that a primitive is asked about.
+fn hidden_in_steps(scene: &Draft, step: &mut impl FnMut()) -> Vec<bool> {
+    let mut lamps = Lamps::new(scene.lights.iter().map(|light| light.position).collect());
+    let eye = scene.camera.position;
+    for sphere in &scene.spheres {
+        lamps.ask(&Body::around_or_not(sphere, eye), step);
+    }
+    for plane in &scene.planes {
+        lamps.ask(&Half::new(plane, eye), step);
+    }
+    lamps.hidden
+}
+
+/// What hides the lamps on its far side.
+trait Hides {
+    /// Whether a lamp there is hidden.
+    fn hides(&self, lamp: [f64; 3]) -> bool;
+
+    /// Whether surely no lamp of a box is hidden.
+    fn spares(&self, least: [f64; 3], most: [f64; 3]) -> bool;
+}
+
+/// A sphere, and whether the eye is in it.
+struct Body<'a> {
+    sphere: &'a Sphere,
+    around: bool,
+}
+
+impl<'a> Body<'a> {
+    fn around_or_not(sphere: &'a Sphere, eye: [f64; 3]) -> Self {
+        Self { sphere, around: is_below(power(sphere, eye), || power_of(sphere, eye)) }
+    }
+}
+
+impl Hides for Body<'_> {
+    fn hides(&self, lamp: [f64; 3]) -> bool {
+        let (power, exact) = (power(self.sphere, lamp), || power_of(self.sphere, lamp));
+        if self.around { is_above(power, exact) } else { is_below(power, exact) }
+    }
+
+    fn spares(&self, least: [f64; 3], most: [f64; 3]) -> bool {
+        let mut square = 0.0;
+        for axis in 0..3 {
+            let (below, above) =
+                (self.sphere.center[axis] - least[axis], most[axis] - self.sphere.center[axis]);
+            let far = larger(below, above);
+            let near = larger(larger(-below, -above), 0.0);
+            let x = if self.around { far } else { near };
+            square += x * x;
+        }
+        let radius_squared = self.sphere.radius * self.sphere.radius;
+        if self.around {
+            square * (1.0 + ROOM) < radius_squared
+        } else {
+            square > radius_squared * (1.0 + ROOM)
+        }
+    }
+}
+
+/// A plane, and on which side the eye is.
+struct Half<'a> {
+    plane: &'a Plane,
+    /// Of any length, as [`scaled_height`] takes it.
+    normal: [f64; 3],
+    below: bool,
+}
+
+impl<'a> Half<'a> {
+    fn new(plane: &'a Plane, eye: [f64; 3]) -> Self {
+        let normal = tamed(plane.normal);
+        let below = is_below(height(normal, plane.point, eye), || scaled_height(plane, eye));
+        Self { plane, normal, below }
+    }
+}
+
+impl Hides for Half<'_> {
+    fn hides(&self, lamp: [f64; 3]) -> bool {
+        let height = height(self.normal, self.plane.point, lamp);
+        let exact = || scaled_height(self.plane, lamp);
+        if self.below { is_above(height, exact) } else { is_below(height, exact) }
+    }
+
+    fn spares(&self, least: [f64; 3], most: [f64; 3]) -> bool {
+        // How far the box reaches to the side where lamps are hidden.
+        let (mut height, mut size) = (0.0, FAINT);
+        for axis in 0..3 {
+            let n = if self.below { self.normal[axis] } else { -self.normal[axis] };
+            let point = self.plane.point[axis];
+            let (a, b) = (least[axis] - point, most[axis] - point);
+            height += larger(n * a, n * b);
+            size += larger((n * a).abs(), (n * b).abs());
+        }
+        height < -ROOM * size
+    }
+}
+
+/// A number, and what its error is a share of.
+type Near = (f64, f64);
+
+/// |x - c|^2 - r^2.
+fn power(sphere: &Sphere, x: [f64; 3]) -> Near {
+    let d: [f64; 3] = std::array::from_fn(|i| x[i] - sphere.center[i]);
+    let (square, r) = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2], sphere.radius * sphere.radius);
+    (square - r, square + r)
+}
+
+/// normal · (x - point).
+fn height(normal: [f64; 3], point: [f64; 3], x: [f64; 3]) -> Near {
+    let along: [f64; 3] = std::array::from_fn(|i| normal[i] * (x[i] - point[i]));
+    (along[0] + along[1] + along[2], along[0].abs() + along[1].abs() + along[2].abs())
+}
+
+/// Whether a number is below 0; `exact` is asked where that is in doubt.
+fn is_below((x, size): Near, exact: impl FnOnce() -> DoubleDouble) -> bool {
+    if size > FAINT && x.abs() > DOUBT * size { x < 0.0 } else { exact() < DoubleDouble::default() }
+}
+
+/// Whether it is above 0.
+fn is_above((x, size): Near, exact: impl FnOnce() -> DoubleDouble) -> bool {
+    if size > FAINT && x.abs() > DOUBT * size { x > 0.0 } else { exact() > DoubleDouble::default() }
+}
+
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// Lamps in boxes in boxes.
+struct Lamps {
+    positions: Vec<[f64; 3]>,
+    hidden: Vec<bool>,
+    /// Numbers of lamps, those of a box side by side.
+    order: Vec<usize>,
+    /// A box, then all boxes of its lower half, then all of its upper half.
+    boxes: Vec<Node>,
+}
+
+struct Node {
+    least: [f64; 3],
+    most: [f64; 3],
+    /// Its lamps in `order`.
+    first: usize,
+    end: usize,
+    /// The box after those in it.
+    next: usize,
+}
+
+impl Lamps {
+    fn new(positions: Vec<[f64; 3]>) -> Self {
+        let count = positions.len();
+        let mut lamps = Self {
+            positions,
+            hidden: vec![false; count],
+            order: (0..count).collect(),
+            boxes: Vec::new(),
+        };
+        if count > 0 {
+            lamps.divide(0, count);
+        }
+        lamps
+    }
+
+    /// Adds the box of some lamps, and the boxes in it. As deep as the logarithm of their number.
+    fn divide(&mut self, first: usize, end: usize) {
+        let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for &lamp in &self.order[first..end] {
+            for (axis, x) in self.positions[lamp].into_iter().enumerate() {
+                least[axis] = if x < least[axis] { x } else { least[axis] };
+                most[axis] = larger(x, most[axis]);
+            }
+        }
+        let place = self.boxes.len();
+        self.boxes.push(Node { least, most, first, end, next: 0 });
+        if end - first > LEAF {
+            let extent = |axis: usize| most[axis] - least[axis];
+            let axis = (0..3).fold(0, |a, b| if extent(b) > extent(a) { b } else { a });
+            let middle = (end - first) / 2;
+            let positions = &self.positions;
+            self.order[first..end].select_nth_unstable_by(middle, |&a, &b| {
+                positions[a][axis].total_cmp(&positions[b][axis])
+            });
+            self.divide(first, first + middle);
+            self.divide(first + middle, end);
+        }
+        self.boxes[place].next = self.boxes.len();
+    }
+
+    /// Asks a primitive about all lamps that may be hidden by it.
+    fn ask(&mut self, by: &impl Hides, step: &mut impl FnMut()) {
+        let mut place = 0;
+        while let Some(Node { least, most, first, end, next }) = self.boxes.get(place) {
+            let lamps = &self.order[*first..*end];
+            // One box, and few lamps: to ask about each is as fast.
+            if self.boxes.len() > 1 {
+                step();
+                if by.spares(*least, *most) {
+                    place = *next;
+                    continue;
+                }
+            }
+            place += 1;
+            if place == *next {
+                for &lamp in lamps {
+                    if !self.hidden[lamp] {
+                        step();
+                        self.hidden[lamp] = by.hides(self.positions[lamp]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{DoubleDouble, hidden_in_steps, power_of, scaled_height};
+    use crate::{Draft, Light, Material, Plane, Sphere};
+
+    /// Every primitive, every lamp, in double-double.
+    fn all_pairs(scene: &Draft) -> Vec<bool> {
+        let (zero, eye) = (DoubleDouble::default(), scene.camera.position);
+        let apart = |eye, lamp| if eye < zero { lamp > zero } else { lamp < zero };
+        let hides = |light: &Light| {
+            let lamp = light.position;
+            let by_sphere = |s: &Sphere| apart(power_of(s, eye), power_of(s, lamp));
+            let by_plane = |p: &Plane| apart(scaled_height(p, eye), scaled_height(p, lamp));
+            scene.spheres.iter().any(by_sphere) || scene.planes.iter().any(by_plane)
+        };
+        scene.lights.iter().map(hides).collect()
+    }
+
+    /// A sequence of numbers in [0, 1), the same on every machine.
+    struct Draws(u64);
+
+    impl Draws {
+        fn next(&mut self) -> f64 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (self.0 >> 11) as f64 / (1u64 << 53) as f64
+        }
+
+        fn point(&mut self) -> [f64; 3] {
+            std::array::from_fn(|_| 2.0 * self.next() - 1.0)
+        }
+    }
+
+    fn lamp(position: [f64; 3]) -> Light {
+        Light { position, intensity: [1.0; 3] }
+    }
+
+    fn ball(center: [f64; 3], radius: f64) -> Sphere {
+        Sphere { center, radius, material: Material::matt([0.5; 3]) }
+    }
+
+    /// Primitives through lamps and through the eye, and a hair off: where only double-double tells.
+    #[test]
+    fn what_is_hidden_is_what_all_pairs_say() {
+        let mut draws = Draws(3);
+        let (mut some, mut none) = (0, 0);
+        for round in 0..400 {
+            let mut scene = Draft::default();
+            scene.camera.position = draws.point();
+            scene.lights = (0..1 + round % 60).map(|_| lamp(draws.point())).collect();
+            let scale = 10f64.powf(-8.0 * draws.next());
+            for i in 0..round % 30 {
+                let through = match draws.next() {
+                    x if x < 0.3 => scene.camera.position,
+                    x if x < 0.8 => scene.lights[i % scene.lights.len()].position,
+                    _ => draws.point(),
+                };
+                let off = [0.0, 1e-17, 1e-16, 1e-15, 1e-9][(draws.next() * 5.0) as usize];
+                let normal = draws.point();
+                let radius = scale * (0.01 + draws.next());
+                let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+                let at = |way: f64| std::array::from_fn(|k| through[k] + way * normal[k] / length);
+                if draws.next() < 0.2 {
+                    let normal = if draws.next() < 0.5 { [0.0, 1.0, 0.0] } else { normal };
+                    scene.planes.push(Plane {
+                        point: at(off),
+                        normal,
+                        material: Material::matt([0.5; 3]),
+                    });
+                } else {
+                    scene.spheres.push(ball(at(radius), radius * (1.0 + off)));
+                }
+            }
+            // Lamps that are the first one by all that f64 can tell.
+            let first = scene.lights[0].position;
+            scene.lights.push(lamp(first.map(f64::next_up)));
+            let hidden = hidden_in_steps(&scene, &mut || ());
+            assert_eq!(hidden, all_pairs(&scene), "round {round}: {scene:?}");
+            some += usize::from(hidden.contains(&true));
+            none += usize::from(hidden.contains(&false));
+        }
+        assert!(some > 50 && none > 50, "{some} rounds hide a lamp, {none} leave one");
+    }
+
+    /// Steps grow with primitives and with lamps, and not with both.
+    #[test]
+    fn few_lamps_are_asked_about() {
+        let mut draws = Draws(5);
+        let mut scene = Draft::default();
+        scene.camera.position = [9.0; 3];
+        scene.lights = (0..1000).map(|_| lamp(draws.point())).collect();
+        scene.spheres = (0..20_000).map(|_| ball(draws.point(), 0.01)).collect();
+        // Around everything, and over everything: no lamp is hidden by them.
+        scene.spheres.extend((0..2000).map(|i| ball([0.0; 3], 100.0 + f64::from(i))));
+        scene.planes = (0..2000)
+            .map(|i| Plane {
+                point: [0.0, -2.0 - f64::from(i), 0.0],
+                normal: [0.1, 1.0, 0.2],
+                material: Material::matt([0.5; 3]),
+            })
+            .collect();
+        let mut steps = 0;
+        let hidden = hidden_in_steps(&scene, &mut || steps += 1);
+        assert!(hidden.contains(&true) && hidden.contains(&false));
+        let primitives = scene.spheres.len() + scene.planes.len();
+        assert!(steps < 40 * primitives, "{steps} steps for {primitives} primitives");
+    }
+}
