@@ -218,10 +218,10 @@ fn shadows_in_turn<L: Lanes, F: Form<L::Scalar>>(
 
 impl<S: Lane> Toward<'_, S> {
     /// Among which places a ball may hide the lamp, place i as bit i; from no others does it. Of
-    /// places within reach.
+    /// places within reach; a lamp without cones has none.
     #[inline(always)]
     fn reached<L: Lanes<Scalar = S>>(&self, number: u32, places: &[Place<S>]) -> u32 {
-        let cone = &self.cones[number as usize];
+        let Some(cone) = self.cones.get(number as usize) else { return 0 };
         let (axis, cos) = (Vec3::<L>::splat(cone.axis), L::splat(cone.cos));
         let mut reached = 0;
         for at in places.iter().rev() {

@@ -77,8 +77,8 @@ packet_scalar!(f64);
 /// The picture is that of the recursion in the same scalar.
 ///
 /// `progress` is told after every few rows how many pixels were added. Memory: the film, and
-/// half a megabyte a thread (f64: one); 16 bytes a primitive and thread; for each lamp 16 bytes
-/// (f64: 32) a ball, and 4 bytes an occluder and thread. Where paths go deep, a thread's stack takes
+/// half a megabyte a thread (f64: one); 16 bytes a primitive and thread; 64 bytes (f64: 128) a ball
+/// and lamp, or if that is more a megabyte (f64: two); and 8 bytes an occluder and thread. Where paths go deep, a thread's stack takes
 /// 16 bytes (f64: 28) a ray of a tile and level down to level 1024, 9 MB at most, and from there on
 /// 168 (f64: 264) a level; and up to a quarter more, for it grows by that much.
 ///
@@ -178,7 +178,8 @@ fn bands<S: Lane, O: Output<S>>(
 ) -> Result<Counts, StackFull> {
     let budget = Budget::new(settings.stack_limit);
     let tried = tried(scene, plan);
-    let occluders = Occluders::new(scene, &tried).with_cones(&scene.lights);
+    let samples = grid.columns.len() * grid.rows.len();
+    let occluders = Occluders::new(scene, &tried).with_cones(&scene.lights, samples);
     let sights = Sights::new(scene, tried);
     let hidden: Vec<_> = scene.lights.iter().map(|l| PointLight { hidden: true, ..*l }).collect();
     let band = || Band {

@@ -1,6 +1,6 @@
 //! Local light, and the mirrored rays that go on, for all rays of a level that met one primitive.
 
-use catoptric_scene::{DepthCount, Numerics, Scalar, Shape};
+use catoptric_scene::{DepthCount, Numerics, PointLight, Scalar, Shape};
 use glam::DVec3;
 
 use crate::lanes::{LANES, Lane, Lanes, Mask};
@@ -16,6 +16,10 @@ use crate::wave::{Mirrored, Wave};
 
 /// So many shadow tests are fewer than finding out which of them can be left out costs.
 const WORTH_BOUNDS: usize = 8;
+
+/// Lists of occluders have room for so many, or for one list of all if that is more. The lists of
+/// lamps that find none are made for every [`SIDE_BY_SIDE`] places anew.
+const LISTED: usize = 1 << 14;
 
 /// The level in flight, and the next.
 pub(crate) struct Level<'a, 'b, S: Lane> {
@@ -33,9 +37,11 @@ pub(crate) struct Level<'a, 'b, S: Lane> {
 /// Room for what shading finds out about one primitive.
 pub(crate) struct Shading<S> {
     surfaces: Surfaces<S>,
-    /// Of all lamps, one after another, and where each lamp's end.
+    /// Of lamps, one after another, and where each lamp's end; see [`LISTED`].
     occluders: Vec<u32>,
     ends: Vec<usize>,
+    /// Of a lamp that found no room there.
+    anew: Vec<u32>,
     places: [Place<S>; SIDE_BY_SIDE],
 }
 
@@ -50,9 +56,16 @@ struct Owes<'a, L: Lanes> {
 impl<S: Lane> Shading<S> {
     pub(crate) fn new(occluders: usize, lamps: usize) -> Self {
         // One more: a place is written before it is known whether it counts.
-        let occluders = vec![0; (occluders + 1) * lamps];
-        let places = [Place::EMPTY; SIDE_BY_SIDE];
-        Self { surfaces: Surfaces::new(), occluders, ends: vec![0; lamps], places }
+        let one = occluders + 1;
+        let (all, room) = (one * lamps, if one > LISTED { one } else { LISTED });
+        let (listed, anew) = if all > room { (room, one) } else { (all, 0) };
+        Self {
+            surfaces: Surfaces::new(),
+            occluders: vec![0; listed],
+            ends: vec![0; lamps],
+            anew: vec![0; anew],
+            places: [Place::EMPTY; SIDE_BY_SIDE],
+        }
     }
 }
 
@@ -86,7 +99,7 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
     let material = &scene.materials[primitive.material as usize];
     let followed = level.followed && material.mirror > L::Scalar::ZERO;
     let highlight = material.specular > L::Scalar::ZERO || !world.omit.directions;
-    let Shading { surfaces, occluders, ends, places } = shading;
+    let Shading { surfaces, occluders, ends, anew, places } = shading;
     let met = Met { wave: level.wave, nearest: level.nearest, found };
     let hits = surfaces.collect::<L, _>(form, met);
     if hits == 0 {
@@ -100,16 +113,19 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
     } else {
         surfaces.bounds(form.anchor())
     };
-    let mut end = 0;
     let unlit = world.omit.shadows && is_unlit(material);
     let lights = if unlit { world.hidden } else { &scene.lights };
+    let lit = Lit { world, center, radius, index };
+    let mut end = 0;
+    let mut listed = 0;
     for (lamp, lamp_end) in lights.iter().zip(&mut *ends) {
-        if !lamp.hidden {
-            let lamp = in_f64::<L::Scalar>(lamp.position);
-            let list = &mut occluders[end..];
-            end += world.occluders.find::<L>(lamp, center, radius, index, list);
+        let list = &mut occluders[end..];
+        if list.len() <= world.occluders.len() {
+            break;
         }
+        end += lit.find::<L>(lamp, list);
         *lamp_end = end;
+        listed += 1;
     }
 
     let ambient = Vec3::<L>::splat(material.ambient);
@@ -129,7 +145,12 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
         }
         let mut start = 0;
         for (number, (lamp, &end)) in lights.iter().zip(&*ends).enumerate() {
-            let occluders = &occluders[start..end];
+            let occluders = if number < listed {
+                &occluders[start..end]
+            } else {
+                let len = lit.find::<L>(lamp, anew);
+                &anew[..len]
+            };
             start = end;
             let lamp = Lamp { lamp, toward: world.occluders.toward(number), occluders };
             level.count.shadow +=
@@ -149,6 +170,27 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
                 level.stack.push(local, &at.rays, Owed::END);
             }
         }
+    }
+}
+
+/// Points on a primitive, and a ball that holds them.
+#[derive(Clone, Copy)]
+struct Lit<'a, S: Scalar> {
+    world: World<'a, S>,
+    center: DVec3,
+    radius: f64,
+    index: u32,
+}
+
+impl<S: Lane> Lit<'_, S> {
+    /// Puts the numbers of what can stand between a lamp and the points into `list`; how many.
+    #[inline(always)]
+    fn find<L: Lanes<Scalar = S>>(&self, lamp: &PointLight<S>, list: &mut [u32]) -> usize {
+        if lamp.hidden {
+            return 0;
+        }
+        let lamp = in_f64::<S>(lamp.position);
+        self.world.occluders.find::<L>(lamp, self.center, self.radius, self.index, list)
     }
 }
 
@@ -219,4 +261,24 @@ fn go_on<L: Lanes, F: Form<L::Scalar>>(
         level.stack.push(all, &ended, 0);
     }
     level.next.push_lanes(&next, goes_on, &local, &owed, level.stack);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LISTED, Shading};
+
+    #[test]
+    fn lists_take_memory_by_lamps_and_occluders_and_not_by_both() {
+        for lamps in [0, 1, 3, 1000, 100_000] {
+            for occluders in [0, 1, 5, 100, 20_000] {
+                let shading = Shading::<f32>::new(occluders, lamps);
+                let taken = shading.occluders.len() + shading.anew.len() + shading.ends.len();
+                assert!(taken <= LISTED + 2 * (occluders + 1) + lamps);
+                // Without a second room, each lamp's list of all fits.
+                let all = (occluders + 1) * lamps;
+                assert!(shading.occluders.len() == all || shading.anew.len() > occluders);
+                assert!(lamps == 0 || shading.occluders.len() > occluders);
+            }
+        }
+    }
 }

@@ -65,7 +65,7 @@ pub fn watch(
 ) -> Result<[f32; 3], StackFull> {
     let budget = Budget::new(settings.stack_limit);
     let all = nested::all(scene);
-    let occluders = Occluders::new(scene, &all).with_cones(&scene.lights);
+    let occluders = Occluders::new(scene, &all).with_cones(&scene.lights, 1);
     let world = World {
         scene,
         candidates: Candidates { eye: &all, mirrors: &all },
