@@ -3,6 +3,7 @@
 //!
 //! This package reads clocks; the libraries do not.
 
+pub mod crowds;
 pub mod history;
 pub mod kernels;
 pub mod runner;
