@@ -1,6 +1,6 @@
 //! Eight rays against a plane or a large sphere: `reference::flat`, lane by lane.
 
-use catoptric_scene::{Flat, Numerics};
+use catoptric_scene::{Flat, Numerics, Scalar};
 
 use crate::lanes::{Lane, Lanes, Mask};
 use crate::nearest::{Around, Form};
@@ -118,6 +118,9 @@ fn discriminant<L: Lanes>(
     let one = L::constant(1.0);
     let bend = L::splat(flat.curvature) * height;
     let near = slope * slope - bend;
+    if flat.curvature == L::Scalar::ZERO {
+        return near;
+    }
     let far = Mask::every().without(bend.lt(one));
     if !far.any() {
         return near;

@@ -237,8 +237,13 @@ impl<S: Lane> Band<'_, S> {
         for left in (0..width).step_by(tile::WIDTH) {
             let right = width.min(left + tile::WIDTH);
             if let Some(colour) = self.trace(left, right)? {
-                for row in pixels.chunks_exact_mut(width) {
-                    row[left..right].fill(output.pixel(colour));
+                // One row is filled, the others are copies of it: pixels of three numbers are slow to
+                // write one by one.
+                let (first, rest) = pixels.split_at_mut(width);
+                let first = &mut first[left..right];
+                first.fill(output.pixel(colour));
+                for row in rest.chunks_exact_mut(width) {
+                    row[left..right].copy_from_slice(first);
                 }
             } else {
                 let colours = &*self.stack.eye_colours();

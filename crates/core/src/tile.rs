@@ -126,16 +126,18 @@ impl<S: Lane> Tile<'_, '_, S> {
         }
         // Top to bottom: y and its square depend on the row alone; z is that of all.
         let Work { waves: [wave, ..], across, .. } = &mut *self.work;
-        wave.clear();
         let z = L::splat(-eye.distance);
+        let mut packets = 0;
         for rows in self.rows.chunks_exact(self.samples) {
             let y = L::splat(rows[j]) * L::splat(eye.half_height);
             for Across { x, square, live } in &across[..len] {
                 let length = (L::from_array(*square) + y * y + z * z).sqrt();
                 let d = Vec3 { x: L::from_array(*x), y, z };
-                wave.push_eye(d * (L::constant(1.0) / length), *live);
+                wave.put_eye(packets, d * (L::constant(1.0) / length), *live);
+                packets += 1;
             }
         }
+        wave.has_eye(packets);
         trace::<L>(self.world, self.work, self.stack, self.watch.as_deref_mut())
     }
 }

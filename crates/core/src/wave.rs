@@ -173,13 +173,25 @@ impl<S: Lane> Wave<S> {
         self.runs_len += usize::from(self.len > 0);
     }
 
-    /// A further packet of eye rays, in a wave that holds no others: weights stay 1.
+    /// Puts a packet of eye rays in its place, in a wave that holds no others: weights stay 1. The
+    /// wave has them once [`Wave::has_eye`] says how many they are.
     #[inline(always)]
-    pub(crate) fn push_eye<L: Lanes<Scalar = S>>(&mut self, direction: Vec3<L>, live: usize) {
-        debug_assert!(self.len < PACKETS);
-        self.directions.put(self.len, direction);
-        self.live[self.len % PACKETS] = live as u8;
-        self.len += 1;
+    pub(crate) fn put_eye<L: Lanes<Scalar = S>>(
+        &mut self,
+        packet: usize,
+        direction: Vec3<L>,
+        live: usize,
+    ) {
+        debug_assert!(packet < PACKETS);
+        self.directions.put(packet, direction);
+        self.live[packet % PACKETS] = live as u8;
+    }
+
+    /// Ends a wave of so many packets of eye rays.
+    #[inline(always)]
+    pub(crate) fn has_eye(&mut self, packets: usize) {
+        self.clear();
+        self.len = packets;
     }
 
     /// Eight rays.
