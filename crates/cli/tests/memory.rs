@@ -220,6 +220,8 @@ fn a_cgroup_a_little_above_the_limit_kills_nothing() {
             println!("skipped: no process can be put in a memory cgroup here: {}", ran.stderr);
             return;
         }
-        assert_eq!(ran.code, Some(code), "{render}: {}", ran.stderr);
+        // A picture that would not fit in what the group leaves is refused, with advice.
+        let refused = ran.code == Some(3) && ran.stderr.contains("memory cgroup");
+        assert!(ran.code == Some(code) || refused, "{render}: {:?}: {}", ran.code, ran.stderr);
     }
 }

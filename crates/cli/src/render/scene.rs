@@ -40,12 +40,14 @@ const BODY_BYTES: u64 = 320;
 /// The same of a light.
 const LIGHT_BYTES: u64 = 120;
 
-/// The same of a sphere and a light: the cones of their shadows.
-const PAIR_BYTES: u64 = 16;
+/// The same of each of either, and once: the cones of shadows, which are no more than the engine allows
+/// itself.
+const CONE_BYTES: u64 = 4 * 16;
+const CONES_BYTES: u64 = 2 << 20;
 
 /// Bytes that an engine makes of a scene, at most.
 fn made(scene: &Draft) -> u64 {
-    let (lights, spheres) = (scene.lights.len() as u64, scene.spheres.len() as u64);
-    let bodies = spheres + scene.planes.len() as u64;
-    bodies * BODY_BYTES + lights * LIGHT_BYTES + lights * spheres * PAIR_BYTES
+    let lights = scene.lights.len() as u64;
+    let bodies = (scene.spheres.len() + scene.planes.len()) as u64;
+    bodies * BODY_BYTES + lights * LIGHT_BYTES + (bodies + lights) * CONE_BYTES + CONES_BYTES
 }
