@@ -1,19 +1,22 @@
 //! Picture formats: what each of them holds, and its bytes, both ways.
 
 mod header;
+mod opened;
 mod pfm;
 pub(crate) mod png;
 mod ppm;
+mod source;
 
 use std::fmt;
 use std::io::{self, Write};
 use std::path::Path;
 
-use catoptric_scene::{Film, Quantiser};
+use catoptric_scene::{Film, Quantiser, Transfer};
 use clap::ValueEnum;
 use rayon::prelude::*;
 
-use crate::exit::Failure;
+pub(crate) use opened::Opened;
+use opened::Unreadable;
 
 /// How a picture is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -77,7 +80,11 @@ impl Format {
         to: &mut dyn Write,
     ) -> io::Result<()> {
         match (self, picture) {
-            (Self::Png, picture) => png::write(&picture.into_levels(quantiser), to),
+            (Self::Png, picture) => {
+                let linear = quantiser.is_linear();
+                let transfer = if linear { Transfer::Linear } else { Transfer::Srgb };
+                png::write(&picture.into_levels(quantiser), transfer, to)
+            }
             (Self::Ppm, picture) => ppm::write(&picture.into_levels(quantiser), to),
             (Self::Pfm, Picture::Linear(film)) => pfm::write(&film, to),
             (Self::Pfm, Picture::Levels(_)) => unreachable!("levels are only made to be written"),
@@ -117,27 +124,6 @@ impl Levels {
 }
 
 impl Picture {
-    /// Reads a picture; its first bytes say which format it has. `name` is for messages.
-    ///
-    /// # Errors
-    /// Exit code 3 for what is no picture of the three formats or is broken; exit code 2
-    /// for one that holds something else than 8-bit or f32 RGB.
-    pub(crate) fn parse(name: &str, bytes: &[u8]) -> Result<Self, Failure> {
-        let read = match bytes {
-            [0x89, b'P', b'N', b'G', ..] => png::read(bytes).map(Self::Levels),
-            [b'P', b'6', ..] => ppm::read(bytes).map(Self::Levels),
-            [b'P', b'F', ..] => pfm::read(bytes).map(Self::Linear),
-            _ => {
-                let what = "is no picture that is known: allowed are PNG, PPM (P6) and PFM (PF)";
-                Err(Unreadable::Bad(what.to_owned()))
-            }
-        };
-        read.map_err(|error| match error {
-            Unreadable::Bad(what) => Failure::bad_input(format_args!("{name} {what}")),
-            Unreadable::Other(what) => Failure::wrong_use(format_args!("{name} {what}")),
-        })
-    }
-
     /// As 8-bit levels; a film is converted on rayon's current threads.
     fn into_levels(self, quantiser: &Quantiser) -> Levels {
         /// Pixels in a piece of work: enough to be worth handing over.
@@ -153,29 +139,4 @@ impl Picture {
             }
         }
     }
-
-    /// Columns and rows.
-    pub(crate) fn size(&self) -> (u32, u32) {
-        match self {
-            Self::Levels(levels) => (levels.width, levels.height),
-            Self::Linear(film) => (film.width(), film.height()),
-        }
-    }
-
-    /// What its values are, for messages.
-    pub(crate) fn kind(&self) -> &'static str {
-        match self {
-            Self::Levels(_) => "8-bit levels",
-            Self::Linear(_) => "linear f32",
-        }
-    }
-}
-
-/// Why a picture could not be read; the text continues the file's name.
-#[derive(Debug, PartialEq, Eq)]
-enum Unreadable {
-    /// Broken.
-    Bad(String),
-    /// Sound, but not what is compared here.
-    Other(String),
 }

@@ -68,15 +68,57 @@ fn equal_pixels_are_equal_files() {
         assert_eq!(folder.read("a.png"), folder.read(name), "{name}");
     }
     // No chunk but those that make the picture: a time stamp would be tIME or tEXt.
-    let png = folder.read("a.png");
+    let names: Vec<_> = chunks(&folder.read("a.png")).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(names, ["IHDR", "gAMA", "IDAT", "IEND"]);
+}
+
+/// Names and data of a PNG's chunks.
+fn chunks(png: &[u8]) -> Vec<(String, Vec<u8>)> {
     let (mut at, mut chunks) = (8, Vec::new());
     while at < png.len() {
-        let length = u32::from_be_bytes([png[at], png[at + 1], png[at + 2], png[at + 3]]);
-        chunks.push(String::from_utf8_lossy(&png[at + 4..at + 8]).into_owned());
-        at += 12 + length as usize;
+        let length = u32::from_be_bytes([png[at], png[at + 1], png[at + 2], png[at + 3]]) as usize;
+        let name = String::from_utf8_lossy(&png[at + 4..at + 8]).into_owned();
+        chunks.push((name, png[at + 8..at + 8 + length].to_vec()));
+        at += 12 + length;
     }
-    chunks.dedup();
-    assert_eq!(chunks, ["IHDR", "IDAT", "IEND"]);
+    chunks
+}
+
+/// A viewer that heeds gAMA and sRGB shows both transfers as the same light.
+#[test]
+fn png_says_what_its_levels_are() {
+    for engine in ENGINES {
+        let folder = Folder::new();
+        for transfer in ["linear", "srgb"] {
+            let line = format!("--transfer {transfer} --engine {engine}");
+            folder.done(&format!("render scene.toml -o {transfer}.png {line}"));
+            folder.done(&format!("render scene.toml -o {transfer}.ppm {line}"));
+            folder.done(&format!("compare {transfer}.png {transfer}.ppm"));
+        }
+        let second = |name: &str| chunks(&folder.read(name)).swap_remove(1);
+        assert_eq!(second("linear.png"), ("gAMA".to_owned(), 100_000_u32.to_be_bytes().to_vec()));
+        assert_eq!(second("srgb.png"), ("sRGB".to_owned(), vec![0]));
+        assert_eq!(folder.run("compare linear.png srgb.png --diff d.png").code, Some(1));
+        // A difference is no light.
+        assert_eq!(second("d.png").0, "IDAT");
+    }
+}
+
+#[test]
+fn transfer_stands_above_the_scene() {
+    let folder = Folder::new();
+    let stated = SCENE.replace("[image]", "[image]\ntransfer = \"srgb\"");
+    folder.write("stated.toml", stated);
+    folder.done("render stated.toml -o srgb.png");
+    folder.done("render scene.toml -o linear.png");
+    folder.done("render scene.toml -o option.png --transfer srgb");
+    assert_eq!(folder.read("option.png"), folder.read("srgb.png"));
+    folder.done("render stated.toml -o option.png --transfer linear");
+    assert_eq!(folder.read("option.png"), folder.read("linear.png"));
+    // The exact result has no levels.
+    folder.done("render scene.toml -o a.pfm");
+    folder.done("render scene.toml -o b.pfm --transfer srgb");
+    assert_eq!(folder.read("a.pfm"), folder.read("b.pfm"));
 }
 
 #[test]

@@ -21,10 +21,9 @@ pub(super) struct Difference {
     pub(super) rmse: f64,
     /// Channels that differ by no finite number: one side is infinite or NaN.
     pub(super) not_finite: u64,
-    /// Pixels whose 8-bit levels differ; f32 is quantised with the linear transfer.
-    pub(super) level_pixels: u64,
-    /// Pixels with a channel whose levels differ by more than one.
-    pub(super) level_pixels_over_one: u64,
+    /// Pixels by the largest difference of their 8-bit levels, 0 to 255; f32 is quantised with
+    /// the linear transfer.
+    levels_apart: [u64; 256],
 }
 
 /// What is compared.
@@ -88,36 +87,31 @@ fn distance<T: Channel>(a: T, b: T) -> Option<f64> {
 }
 
 impl Difference {
-    /// Compares two pictures.
-    ///
-    /// # Errors
-    /// Why they cannot be compared: their sizes or their kinds.
-    pub(super) fn between(a: &Picture, b: &Picture) -> Result<Self, String> {
-        let ((width, height), (bw, bh)) = (a.size(), b.size());
-        if (width, height) != (bw, bh) {
-            return Err(format!("one has {width}x{height} pixels, the other {bw}x{bh}"));
-        }
+    /// Compares two pictures of one size and kind.
+    pub(super) fn between(a: &Picture, b: &Picture) -> Self {
         match (a, b) {
             (Picture::Levels(a), Picture::Levels(b)) => {
                 let mut found =
-                    Self::measure(width, &a.pixels, &b.pixels, Values::Levels, Pair::Levels);
+                    Self::measure(a.width, &a.pixels, &b.pixels, Values::Levels, Pair::Levels);
                 found.count_levels(a.pixels.iter().zip(&b.pixels).map(|(&a, &b)| (a, b)));
-                Ok(found)
+                found
             }
             (Picture::Linear(a), Picture::Linear(b)) => {
-                let (a, b) = (a.pixels(), b.pixels());
+                let (width, a, b) = (a.width(), a.pixels(), b.pixels());
                 let mut found = Self::measure(width, a, b, Values::Linear, Pair::Linear);
                 let quantiser = Quantiser::new(Transfer::Linear);
                 let levels = |pixel: &[f32; 3]| pixel.map(|channel| quantiser.level(channel));
                 found.count_levels(a.iter().zip(b).map(|(a, b)| (levels(a), levels(b))));
-                Ok(found)
+                found
             }
-            _ => Err(format!(
-                "one holds {}, the other {}; render both as pfm, or neither",
-                a.kind(),
-                b.kind()
-            )),
+            _ => unreachable!("pictures of two kinds are not compared"),
         }
+    }
+
+    /// Pixels with a channel whose 8-bit levels differ by more than that; f32 is quantised with
+    /// the linear transfer.
+    pub(super) fn level_pixels_over(&self, levels: u8) -> u64 {
+        self.levels_apart[usize::from(levels) + 1..].iter().sum()
     }
 
     fn measure<T: Channel>(
@@ -160,16 +154,14 @@ impl Difference {
             largest,
             rmse,
             not_finite,
-            level_pixels: 0,
-            level_pixels_over_one: 0,
+            levels_apart: [0; 256],
         }
     }
 
     fn count_levels(&mut self, pixels: impl Iterator<Item = ([u8; 3], [u8; 3])>) {
         for (a, b) in pixels {
             let apart = a.iter().zip(&b).map(|(&a, &b)| a.abs_diff(b)).max().unwrap_or(0);
-            self.level_pixels += u64::from(apart > 0);
-            self.level_pixels_over_one += u64::from(apart > 1);
+            self.levels_apart[usize::from(apart)] += 1;
         }
     }
 

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::Options;
 use super::difference::{Difference, First, Pair, Values, ulps};
+use super::verdict::Verdict;
 use crate::exit::NAME;
 use crate::input;
 
@@ -38,8 +39,20 @@ pub(super) struct Report {
     level_pixels: u64,
     /// Those that differ by more than one level.
     level_pixels_over_one: u64,
+    /// `--tolerance`; null where it was not given.
+    tolerance: Option<u8>,
+    /// Pixels that count against the verdict: those whose levels differ by more than the
+    /// tolerance; without one, all that differ.
+    pixels_counted: u64,
+    /// As many of them pass.
+    pixels_allowed: u64,
+    /// Whether no more count than are allowed: exit code 0, else 1.
+    passed: bool,
     /// The difference image; null where none was asked for.
     diff: Option<Diff>,
+    /// Whether a verdict was asked for; then the text has one.
+    #[serde(skip)]
+    judged: bool,
 }
 
 /// A pixel and its values. Infinite and NaN values are null; the bits tell them apart.
@@ -65,7 +78,7 @@ struct Diff {
 }
 
 impl Report {
-    pub(super) fn new(options: &Options, found: &Difference) -> Self {
+    pub(super) fn new(options: &Options, found: &Difference, verdict: &Verdict) -> Self {
         Self {
             schema: "catoptric-compare",
             version: 1,
@@ -83,12 +96,17 @@ impl Report {
             max: found.largest,
             rmse: found.rmse,
             not_finite: found.not_finite,
-            level_pixels: found.level_pixels,
-            level_pixels_over_one: found.level_pixels_over_one,
+            level_pixels: found.level_pixels_over(0),
+            level_pixels_over_one: found.level_pixels_over(1),
+            tolerance: options.verdict.tolerance(),
+            pixels_counted: verdict.counted,
+            pixels_allowed: verdict.allowed,
+            passed: verdict.passed,
             diff: options.diff.as_ref().map(|file| Diff {
                 file: file.display().to_string(),
                 amplification: found.amplification(),
             }),
+            judged: options.verdict.asked(),
         }
     }
 }
@@ -151,6 +169,19 @@ impl fmt::Display for Report {
             }
             writeln!(f, "8-bit pixels apart     {}", self.level_pixels)?;
             writeln!(f, "  by more than 1       {}", self.level_pixels_over_one)?;
+        }
+        if self.judged {
+            let passed = if self.passed { "passed" } else { "failed" };
+            let (counted, allowed) = (self.pixels_counted, self.pixels_allowed);
+            match self.tolerance {
+                Some(levels) => {
+                    writeln!(
+                        f,
+                        "8-bit pixels apart by more than {levels}: {counted}, allowed {allowed}: {passed}"
+                    )?;
+                }
+                None => writeln!(f, "pixels that differ: {counted}, allowed {allowed}: {passed}")?,
+            }
         }
         if let Some(diff) = &self.diff {
             writeln!(

@@ -35,7 +35,8 @@ const SMALL: u32 = 320;
 pub(super) fn page(life: &Life, isa: Isa) -> Result<String, Failure> {
     let picture = render(life.scene, isa)?;
     let mut png = Vec::new();
-    png::encode(picture.pixels.as_flattened(), picture.width, picture.height, &mut png)
+    let transfer = Some(life.scene.image.transfer);
+    png::encode(picture.pixels.as_flattened(), picture.width, picture.height, transfer, &mut png)
         .expect("a picture of that size can be written to memory");
     let (steps, hidden) = steps(life);
     let drawing = draw(life);

@@ -1,58 +1,114 @@
-//! The text in front of PPM and PFM pixels: a magic word and three numbers, separated by
+//! The text in front of PPM, PGM and PFM pixels: a magic word and three numbers, separated by
 //! blanks, then one blank. A `#` begins a comment up to the line's end.
 
 use super::Unreadable;
+use super::source::Source;
 
-/// What the two formats have in common.
-pub(super) struct Header<'a> {
+/// Bytes of a header, comments included, that are read in search of its end.
+const HEADER_BYTES: u64 = 1 << 16;
+
+/// Bytes of a word, at most: no number is longer.
+const WORD_BYTES: usize = 64;
+
+/// What the formats have in common.
+pub(super) struct Header {
     pub(super) width: u32,
     pub(super) height: u32,
-    /// PPM: the largest value; PFM: the scale, whose sign is the byte order.
-    pub(super) third: &'a str,
-    /// What follows: pixels and nothing else.
-    pub(super) pixels: &'a [u8],
+    /// PPM and PGM: the largest value; PFM: the scale, whose sign is the byte order.
+    pub(super) third: String,
 }
 
-impl<'a> Header<'a> {
-    /// Reads a header; `bytes_a_channel` of the third number says how much must follow.
-    pub(super) fn read(
-        bytes: &'a [u8],
-        bytes_a_channel: impl FnOnce(&str) -> Result<usize, Unreadable>,
-    ) -> Result<Self, Unreadable> {
-        let mut rest = &bytes[2..];
+impl Header {
+    /// Reads a header with its magic word; the pixels follow.
+    pub(super) fn read(from: &mut Source) -> Result<Self, Unreadable> {
+        let magic = from.fill(&mut [0; 2])?;
+        debug_assert_eq!(magic, 2, "the magic word has been seen");
         let mut next = || {
-            let broken = || Unreadable::Bad("breaks off in its header".to_owned());
-            word(&mut rest).ok_or_else(broken)
+            let word = word(from, HEADER_BYTES)?;
+            word.ok_or_else(|| Unreadable::Bad("breaks off in its header".to_owned()))
         };
-        let (width, height, third) = (side(next()?)?, side(next()?)?, next()?);
-        // The one blank after the header; `word` has seen that it is there.
-        let pixels = &rest[1..];
-        let channels = u128::from(width) * u128::from(height) * 3;
-        let expected = channels * bytes_a_channel(third)? as u128;
-        if pixels.len() as u128 != expected {
-            let found = pixels.len();
-            return Err(Unreadable::Bad(format!(
-                "has {found} bytes of pixels where {width}x{height} are {expected}"
-            )));
+        let (width, height, third) = (side(&next()?)?, side(&next()?)?, next()?);
+        Ok(Self { width, height, third })
+    }
+
+    /// Pixels in all.
+    pub(super) fn pixels(&self) -> u64 {
+        u64::from(self.width) * u64::from(self.height)
+    }
+
+    /// Holds the size that the header claims against the length of the file, where that is
+    /// known: a header that lies is found before anything is taken for it.
+    pub(super) fn check_length(&self, from: &Source, bytes_a_pixel: u64) -> Result<(), Unreadable> {
+        let expected = u128::from(self.pixels()) * u128::from(bytes_a_pixel);
+        match from.left() {
+            Some(left) if u128::from(left) != expected => {
+                Err(self.wrong_length(&left.to_string(), expected))
+            }
+            _ => Ok(()),
         }
-        Ok(Self { width, height, third, pixels })
+    }
+
+    /// Reads all pixels, of which nothing may be missing and after which nothing may come.
+    pub(super) fn fill(&self, from: &mut Source, to: &mut [u8]) -> Result<(), Unreadable> {
+        let found = from.fill(to)?;
+        if found < to.len() {
+            return Err(self.wrong_length(&found.to_string(), to.len() as u128));
+        }
+        Ok(())
+    }
+
+    /// Makes sure that nothing comes after all `expected` bytes.
+    pub(super) fn end(&self, from: &mut Source, expected: u64) -> Result<(), Unreadable> {
+        match from.byte()? {
+            None => Ok(()),
+            Some(_) => Err(self.wrong_length(&format!("more than {expected}"), expected.into())),
+        }
+    }
+
+    pub(super) fn wrong_length(&self, found: &str, expected: u128) -> Unreadable {
+        let Self { width, height, .. } = self;
+        Unreadable::Bad(format!(
+            "has {found} bytes of pixels where {width}x{height} are {expected}"
+        ))
     }
 }
 
-/// The next word, which a blank must end.
-fn word<'a>(rest: &mut &'a [u8]) -> Option<&'a str> {
+/// The next word and the one blank after it, which must be there, within the first `limit`
+/// bytes; `None` where the bytes end before.
+fn word(from: &mut Source, limit: u64) -> Result<Option<String>, Unreadable> {
+    let mut word = Vec::new();
     loop {
-        *rest = rest.trim_ascii_start();
-        if rest.first() != Some(&b'#') {
-            break;
+        let Some(byte) = from.byte()? else { return Ok(None) };
+        match byte {
+            b'#' if word.is_empty() => loop {
+                match from.byte()? {
+                    None => return Ok(None),
+                    Some(b'\n') => break,
+                    Some(_) => within(from, limit)?,
+                }
+            },
+            blank if blank.is_ascii_whitespace() => {
+                if !word.is_empty() {
+                    return Ok(Some(String::from_utf8_lossy(&word).into_owned()));
+                }
+            }
+            _ if word.len() == WORD_BYTES => {
+                return Err(Unreadable::Bad(format!(
+                    "has a number of more than {WORD_BYTES} bytes"
+                )));
+            }
+            byte => word.push(byte),
         }
-        let end = rest.iter().position(|&b| b == b'\n')?;
-        *rest = &rest[end..];
+        within(from, limit)?;
     }
-    let end = rest.iter().position(u8::is_ascii_whitespace)?;
-    let word = std::str::from_utf8(&rest[..end]).ok()?;
-    *rest = &rest[end..];
-    Some(word)
+}
+
+/// A header without an end would be read for ever.
+fn within(from: &Source, limit: u64) -> Result<(), Unreadable> {
+    if from.taken() <= limit {
+        return Ok(());
+    }
+    Err(Unreadable::Bad(format!("has a header of more than {limit} bytes")))
 }
 
 fn side(word: &str) -> Result<u32, Unreadable> {

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use catoptric_scene::{Crop, Draft, Numerics};
+use catoptric_scene::allowed::AMOUNT;
+use catoptric_scene::{Crop, Draft, Numerics, Transfer};
 use clap::{Args, ValueEnum};
 
 use super::engine::{Engine, Precision};
@@ -54,6 +55,11 @@ pub(crate) struct Options {
     /// Formulas: `robust`, or the workshop's [default: the scene's, else robust]
     #[arg(long, value_parser = numerics)]
     pub(super) numerics: Option<Numerics>,
+
+    /// How light becomes the levels of png and ppm: `linear`, or the `srgb` curve
+    /// [default: the scene's, else linear]
+    #[arg(long, value_parser = transfer)]
+    pub(super) transfer: Option<Transfer>,
 
     /// Columns of the image, 1 to 65535 [default: the scene's, else 640]
     #[arg(long, value_name = "N", allow_negative_numbers = true,
@@ -117,6 +123,7 @@ impl Options {
                 *value = above;
             }
         }
+        set(&mut draft.image.transfer, self.transfer);
         set(&mut draft.image.width, self.width);
         set(&mut draft.image.height, self.height);
         set(&mut draft.render.max_depth, self.max_depth);
@@ -133,9 +140,17 @@ fn numerics(text: &str) -> Result<Numerics, &'static str> {
     }
 }
 
-fn min_weight(text: &str) -> Result<f64, &'static str> {
-    let number = text.parse().ok().filter(|x: &f64| x.is_finite() && *x >= 0.0);
-    number.ok_or("allowed is a finite number, 0 or more")
+fn transfer(text: &str) -> Result<Transfer, &'static str> {
+    match text {
+        "linear" => Ok(Transfer::Linear),
+        "srgb" => Ok(Transfer::Srgb),
+        _ => Err("allowed are linear and srgb"),
+    }
+}
+
+fn min_weight(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|&x| AMOUNT.holds(x));
+    number.ok_or_else(|| format!("allowed is {}", AMOUNT.text))
 }
 
 fn crop(text: &str) -> Result<Crop, &'static str> {
@@ -175,5 +190,6 @@ Examples:
   catoptric render scene.toml
   catoptric render scene.toml -o mirror.png --max-depth 50 --samples 4
   catoptric render scene.toml -o exact.pfm --engine recursive
+  catoptric render scene.toml -o screen.png --transfer srgb
   catoptric render - -o - --format ppm < scene.toml > scene.ppm
   catoptric render scene.toml -o part.png --crop 0,0,64,48 --stats part.json";
