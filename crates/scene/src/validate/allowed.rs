@@ -48,6 +48,18 @@ macro_rules! integer {
     }};
 }
 
+/// Range of numbers from 0 to the largest f32, which the literal is when it is read as one.
+macro_rules! largest {
+    ($before:literal $most:literal $after:literal) => {{
+        const MOST: f32 = $most;
+        Allowed {
+            least: 0.0,
+            most: MOST as f64,
+            text: concat!($before, stringify!($most), ", the largest of f32", $after),
+        }
+    }};
+}
+
 /// Columns and rows of the picture.
 pub const SIDE: Allowed = integer!(1 to 65535);
 
@@ -61,11 +73,7 @@ pub const COORDINATE: Allowed = number!(-1e15 to 1e15);
 pub const RADIUS: Allowed = number!(1e-12 to 1e12);
 
 /// Amounts of light, factors and exponents: what f32 can hold.
-pub const AMOUNT: Allowed = Allowed {
-    least: 0.0,
-    most: f32::MAX as f64,
-    text: "a number from 0 to 3.4028234e38, the largest of f32",
-};
+pub const AMOUNT: Allowed = largest!("a number from 0 to " 3.4028234e38 "");
 
 /// Light that is seen as it is.
 pub const LIGHT: Allowed =
@@ -76,11 +84,10 @@ pub const MIRROR: Allowed = number!(0 to 1);
 
 /// The highlight's factor, which is also the mirror's where that is not stated: then it must
 /// hold [`MIRROR`] too.
-pub const SPECULAR: Allowed = Allowed {
-    least: AMOUNT.least,
-    most: AMOUNT.most,
-    text: "a number from 0 to 1, or more where `reflect` is stated too, up to 3.4028234e38, the largest of f32 (without it, `specular` is also the mirror's factor)",
-};
+pub const SPECULAR: Allowed = largest!(
+    "a number from 0 to 1, or more where `reflect` is stated too, up to " 3.4028234e38
+    " (without it, `specular` is also the mirror's factor)"
+);
 
 /// The vertical field of view: all f64 strictly between 0 and 180.
 pub const FIELD_OF_VIEW: Allowed = Allowed {
@@ -91,6 +98,3 @@ pub const FIELD_OF_VIEW: Allowed = Allowed {
 
 /// One component of a direction, whose length does not matter.
 pub const COMPONENT: Allowed = Allowed { least: f64::MIN, most: f64::MAX, text: "a finite number" };
-
-/// The words for the largest f32 name it: read as f32, they are it.
-const _: () = assert!(3.402_823_4e38_f32 == f32::MAX, "as the texts above say");

@@ -130,11 +130,11 @@ pub fn measure(case: &Case) -> Growth {
     let followed: Vec<_> = bundles
         .par_iter()
         .flat_map_iter(|bundle| {
-            let view = View::whole(&bundle.scene);
-            let truth = Paths::new(&bundle.scene, &view, Arithmetic::DoubleDouble);
-            let others = arithmetics.map(|a| (a, Paths::new(&bundle.scene, &view, a)));
+            let view = &bundle.view;
+            let truth = Paths::new(&bundle.scene, view, Arithmetic::DoubleDouble);
+            let others = arithmetics.map(|a| (a, Paths::new(&bundle.scene, view, a)));
             let unit = case.unit;
-            each_pixel(&view, |x, y| follow(bundle, &truth, &others, [x, y], unit))
+            each_pixel(view, |x, y| follow(bundle, &truth, &others, [x, y], unit))
         })
         .collect();
 

@@ -1,7 +1,7 @@
 //! Where growth is measured.
 
-use catoptric_scene::Scene;
 use catoptric_scene::family::Room;
+use catoptric_scene::{Crop, Scene, View};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -26,9 +26,10 @@ enum Rays {
     Picture(Box<Scene>),
 }
 
-/// The eye rays of all pixels of a scene.
+/// The eye rays of all pixels of a view of a scene.
 pub(super) struct Bundle {
     pub(super) scene: Scene,
+    pub(super) view: View,
     /// Added to each ray's direction.
     pub(super) nudge: DVec3,
     /// The direction in which rays are nudged further; the part of it across each ray counts.
@@ -95,13 +96,21 @@ impl Case {
             Rays::Aimed { orbit, bounces } => {
                 let eye = |index| {
                     let Aimed { scene, nudge } = orbit.aimed(index, *bounces);
-                    Bundle { scene, nudge: DVec3::from_array(nudge), across: orbit.nudge }
+                    let first = Crop { x: 0, y: 0, width: 1, height: 1 };
+                    let view = View::new(&scene, Some(first), 1).expect("a pixel of the picture");
+                    Bundle { scene, view, nudge: DVec3::from_array(nudge), across: orbit.nudge }
                 };
                 (0..EYES).into_par_iter().map(eye).collect()
             }
             Rays::Picture(scene) => {
                 let scene = scene.as_ref().clone();
-                vec![Bundle { scene, nudge: DVec3::ZERO, across: DVec3::new(0.31, 0.72, -0.62) }]
+                let view = View::whole(&scene);
+                vec![Bundle {
+                    scene,
+                    view,
+                    nudge: DVec3::ZERO,
+                    across: DVec3::new(0.31, 0.72, -0.62),
+                }]
             }
         }
     }

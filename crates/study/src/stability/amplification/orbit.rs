@@ -36,10 +36,10 @@ pub struct Orbit {
     pub lambda: f64,
 }
 
-/// A scene of one pixel whose eye ray, nudged, stays near an orbit.
+/// A scene whose first pixel's eye ray, nudged, stays near an orbit.
 #[derive(Clone, Debug)]
 pub struct Aimed {
-    /// The scene; its image is 1 x 1.
+    /// The scene; its image is 3 x 3.
     pub scene: Scene,
     /// What is left to add to the eye ray's unit direction; below 1e-15.
     pub nudge: [f64; 3],
@@ -57,6 +57,9 @@ fn axes() -> [DVec3; 3] {
     let y = x.cross(DVec3::new(0.83, 0.21, -0.44)).normalize();
     [x, y, x.cross(y)]
 }
+
+/// Where the first of 3 x 3 pixels is, ahead, to the right and up, at a field of view of 90 degrees.
+const FIRST_PIXEL: DVec3 = DVec3::new(1.0, -2.0 / 3.0, 2.0 / 3.0);
 
 impl Orbit {
     /// Two spheres, their centres `sigma` radii apart, `sigma` > 2.
@@ -116,15 +119,28 @@ impl Orbit {
         self.refined(stated, bounces)
     }
 
+    /// The orbit's ray is that of the first pixel, askew to all three axes of the camera, in which
+    /// everything is computed: a ray straight ahead has coordinates that are 0, and flatters.
     fn scene(&self, eye: DVec3, target: DVec3, bounces: usize) -> Scene {
+        // The axes that have the pixel in that direction: those of the ray, mirrored so that the
+        // ray's own is the pixel's.
+        let ray = (target - eye).normalize();
+        let (p, q) = ray.any_orthonormal_pair();
+        let k = (FIRST_PIXEL.normalize() - DVec3::X).normalize();
+        let mirrored = |v: DVec3| v - 2.0 * k.dot(v) * k;
+        let turned = |v: DVec3| v.x * ray + v.y * p + v.z * q;
+        let [forward, side, up] = [DVec3::X, DVec3::Y, DVec3::Z].map(|v| turned(mirrored(v)));
+        // Right-handed: the side is to the right.
+        let up = if forward.cross(up).dot(side) < 0.0 { -up } else { up };
         let material = Material { reflect: Some(1.0), ..Material::matt([0.4; 3]) };
         let sphere = |c: &DVec3| Sphere { center: c.to_array(), radius: RADIUS, material };
         let mut draft = Draft {
-            image: Image { width: 1, height: 1, ..Image::default() },
+            image: Image { width: 3, height: 3, ..Image::default() },
             camera: Camera {
                 position: eye.to_array(),
-                look_at: target.to_array(),
-                up: axes()[2].to_array(),
+                look_at: (eye + 64.0 * forward).to_array(),
+                up: up.to_array(),
+                fov: 90.0,
                 ..Camera::default()
             },
             spheres: self.centers.iter().map(sphere).collect(),
@@ -184,6 +200,11 @@ impl Aimed {
     #[must_use]
     pub fn direction(&self) -> DVec3 {
         let camera = &self.scene.camera;
-        (DVec3::from_array(camera.look_at) - DVec3::from_array(camera.position)).normalize()
+        let ahead = DVec3::from_array(camera.look_at) - DVec3::from_array(camera.position);
+        let forward = ahead.normalize();
+        let side = forward.cross(DVec3::from_array(camera.up)).normalize();
+        let up = side.cross(forward);
+        let DVec3 { x, y, z } = FIRST_PIXEL;
+        (x * forward + y * side + z * up).normalize()
     }
 }
