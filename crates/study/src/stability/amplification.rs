@@ -27,7 +27,6 @@ pub use report::{plot, table};
 pub use tangent::{Spread, largest, periodic_lambda, spreads};
 
 use catoptric_reference::truth::Vertex;
-use catoptric_scene::View;
 use glam::DVec3;
 use rayon::prelude::*;
 

@@ -141,7 +141,6 @@ impl Orbit {
                 look_at: (eye + 64.0 * forward).to_array(),
                 up: up.to_array(),
                 fov: 90.0,
-                ..Camera::default()
             },
             spheres: self.centers.iter().map(sphere).collect(),
             ..Draft::default()
