@@ -35,7 +35,7 @@ impl<S: Lane> Form<S> for Ball<S> {
         Some(self.center)
     }
 
-    /// From the centre; also of a ball around the eye.
+    /// Arms from the centre; the engine shades a ball around the eye by this too.
     #[inline(always)]
     fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         let x = rays.direction * t - (Vec3::splat(self.center) - rays.origin);

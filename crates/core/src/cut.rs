@@ -14,7 +14,7 @@
 
 use catoptric_scene::Scalar;
 
-/// So many weights are formed.
+/// Limit on the weights that are formed.
 const EXACT: u32 = 1 << 12;
 
 /// How many reflections by a mirror of factor k keep a weight that is not cut, at most `most`.

@@ -14,7 +14,7 @@
 
 use glam::DVec3;
 
-/// So many balls are compared in a search. A search that has not found by then what holds its ball
+/// Limit on the balls that are compared in a search. A search that has not found by then what holds its ball
 /// is in a crowd of balls that overlap it and do not hold it.
 pub(crate) const MOST_COMPARED: usize = 64;
 
@@ -32,7 +32,7 @@ const NONE: u32 = u32::MAX;
 pub(crate) struct Holders<'a> {
     balls: &'a [Ball],
     gap: f64,
-    /// Of falling size.
+    /// Falling in size.
     octaves: Vec<Octave>,
     /// The first ball of each chain, by hash.
     chains: Vec<u32>,

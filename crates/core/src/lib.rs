@@ -35,6 +35,7 @@ pub mod watch;
 mod wave;
 
 pub use isa::Isa;
+pub use occluders::cone_bytes;
 pub use plan::{Features, Omission, Plan, TileCandidates, occluders, tile_candidates};
 pub use render::{
     PacketScalar, Settings, StackFull, render, render_levels, render_levels_planned, render_planned,

@@ -59,7 +59,7 @@ pub(crate) const POINT: f64 = 2e-7;
 const SMALLEST: f64 = 1e-15;
 const LARGEST: f64 = 1e15;
 
-/// So many cones are always allowed: a megabyte in f32.
+/// Number of cones that are always allowed: a megabyte in f32.
 const CONES: usize = 1 << 16;
 
 /// And so many a ball and lamp.
@@ -75,9 +75,9 @@ pub(crate) struct Occluders<S: Scalar> {
     of_flats: Vec<u32>,
     /// Those that are always kept.
     textbook: Vec<u32>,
-    /// Of each lamp, the first ones at least, one for each ball: 16 bytes in f32.
+    /// Cones of the first lamps, one for each ball: 16 bytes in f32.
     cones: Vec<Cone<S>>,
-    /// Of each lamp with cones.
+    /// How far the cones of each such lamp hold.
     reaches: Vec<S>,
 }
 
@@ -106,7 +106,7 @@ pub(crate) enum Occluder<'a, S: Scalar> {
     Textbook(u32),
 }
 
-/// So many lamps have cones: the first ones, as far as [`CONES`] or [`CONES_EACH`] allow, or none
+/// Number of lamps that have cones: the first ones, as far as [`CONES`] or [`CONES_EACH`] allow, or none
 /// in a picture that has no more packets of eye rays than there are balls.
 ///
 /// A cone takes some 80 instructions before the first ray, and saves 13 of a packet's shadow test. So
@@ -115,9 +115,18 @@ fn lamps_with_cones(balls: usize, lamps: usize, samples: usize) -> usize {
     if balls > samples / LANES {
         return 0;
     }
-    let each = CONES_EACH * (balls + lamps);
-    let cones = if each > CONES { each } else { CONES };
-    lamps.min(cones / balls.max(1))
+    lamps.min(most_cones(balls, lamps) / balls.max(1))
+}
+
+/// Cones that so many balls and lamps may have.
+fn most_cones(balls: usize, lamps: usize) -> usize {
+    CONES.max(CONES_EACH * (balls + lamps))
+}
+
+/// Bytes that the shadow cones of a scene take, at most, in f32.
+#[must_use]
+pub fn cone_bytes(balls: usize, lamps: usize) -> usize {
+    balls.saturating_mul(lamps).min(most_cones(balls, lamps)) * size_of::<Cone<f32>>()
 }
 
 impl<S: Lane> Occluders<S> {

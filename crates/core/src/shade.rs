@@ -14,11 +14,11 @@ use crate::surfaces::{Met, Surface, Surfaces};
 use crate::vec3::Vec3;
 use crate::wave::{Mirrored, Wave};
 
-/// So many shadow tests are fewer than finding out which of them can be left out costs.
+/// Below this many shadow tests, finding out which can be left out costs more than it saves.
 const WORTH_BOUNDS: usize = 8;
 
-/// Lists of occluders have room for so many, or for one list of all if that is more. The lists of
-/// lamps that find none are made for every [`SIDE_BY_SIDE`] places anew.
+/// Number of occluders that the lamps' lists have room for, or all of one lamp if that is more. A lamp
+/// whose list finds no room has it made anew for every [`SIDE_BY_SIDE`] places.
 const LISTED: usize = 1 << 14;
 
 /// The level in flight, and the next.
@@ -37,10 +37,10 @@ pub(crate) struct Level<'a, 'b, S: Lane> {
 /// Room for what shading finds out about one primitive.
 pub(crate) struct Shading<S> {
     surfaces: Surfaces<S>,
-    /// Of lamps, one after another, and where each lamp's end; see [`LISTED`].
+    /// Lists of lamps, one after another, and where each ends; see [`LISTED`].
     occluders: Vec<u32>,
     ends: Vec<usize>,
-    /// Of a lamp that found no room there.
+    /// List of a lamp that found no room there.
     anew: Vec<u32>,
     places: [Place<S>; SIDE_BY_SIDE],
 }

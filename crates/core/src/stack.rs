@@ -158,7 +158,7 @@ struct Level {
 /// followed or not, and wherever a cut by weight parts the rays of an entry. The bound is reached,
 /// where each ray of a tile meets a primitive of its own and ends there.
 ///
-/// Of all levels together: a ray ends once, so at most [`RAYS`] entries hold rays that end. The
+/// All levels together: a ray ends once, so at most [`RAYS`] entries hold rays that end. The
 /// others hold rays that go on; they are as many as the packets of the next wave, all of them full
 /// but the last: at most [`PACKETS`] a level, and none on the last one.
 const fn room(reflections: usize) -> usize {

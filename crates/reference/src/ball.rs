@@ -5,10 +5,11 @@
 //! improvements for ray/sphere intersection, Ray Tracing Gems, ch. 7, 2019).
 //!
 //! The distance b - s decides which sphere is nearest; its error, about an ulp of b, is not
-//! more than that of the ray's own coordinates. The point is formed relative to the centre and
-//! put back on the sphere. The quotient (|f|^2 - r^2)/(b + s) in place of b - s was tried: on the
-//! workshop scene (640x480, depth 8) it halves the RMSE to 5e-7, leaves the backward ratio at 1.0
-//! and costs 6 % of the frame.
+//! more than that of the ray's own coordinates. The point and the normal are formed from the foot and
+//! half the chord, which that error does not touch (`surface`). Against the normal of the point at
+//! distance b - s this takes the RMSE of the workshop scene (depth 16) from 1.0e-6 to 4.5e-7, of a
+//! sphereflake from 4.9e-4 to 1.0e-4 and of spheres at 10 000 radii from 2.5e-3 to 1.3e-4, and as many
+//! operations: a root more, a root and a quotient less.
 
 use catoptric_scene::Ball;
 
@@ -34,11 +35,11 @@ pub(crate) fn distance(ball: &Ball<Real>, ray: Ray, own: bool) -> Option<Real> {
 
 /// Where a ray meets it at distance `t`, put back on the sphere.
 ///
-/// Of a small ball far away, the rounding of `t` may be more than the radius. So `t` only leads near
+/// The rounding of `t` may be more than the radius of a small ball far away. So `t` only leads near
 /// the hit, to x from the centre: there g = x·d is how far it is past the foot of the perpendicular,
 /// and s is half the chord, r^2 less the square of the foot's distance being its square. The hit is
-/// at -s: from the centre, x - (g + s) d. A ball around the eye is as
-/// large as the way to it, so that `t` is as good as that, and takes less.
+/// at -s: from the centre, x - (g + s) d. A ball around the eye is as large as the way to it, so that
+/// `t` is as good as that, and takes less.
 pub(crate) fn surface(ball: &Ball<Real>, ray: Ray, t: Real, id: usize) -> Surface {
     let x = ray.direction * t - (ball.center - ray.origin);
     let arm = if ball.is_around() {

@@ -44,7 +44,7 @@ pub(super) struct Report {
     /// Pixels that count against the verdict: those whose levels differ by more than the
     /// tolerance; without one, all that differ.
     pixels_counted: u64,
-    /// As many of them pass.
+    /// How many of them pass.
     pixels_allowed: u64,
     /// Whether no more count than are allowed: exit code 0, else 1.
     passed: bool,

@@ -27,7 +27,7 @@ pub(super) struct Options {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Allow {
     Pixels(u64),
-    /// Of all pixels, from 0 to 100.
+    /// Per cent of all pixels, from 0 to 100.
     Percent(f64),
 }
 
@@ -52,7 +52,7 @@ impl FromStr for Allow {
 pub(super) struct Verdict {
     /// Pixels that count.
     pub(super) counted: u64,
-    /// As many of them pass.
+    /// How many of them pass.
     pub(super) allowed: u64,
     pub(super) passed: bool,
 }

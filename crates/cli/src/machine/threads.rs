@@ -15,7 +15,7 @@ pub(crate) const STACK: usize = 2 << 20;
 /// for it.
 const BESIDE: u64 = 128 << 20;
 
-/// As many as the system can run at once, as far as it says so.
+/// Threads that the system can run at once, as far as it says so.
 pub(crate) fn available() -> usize {
     thread::available_parallelism().map_or(1, usize::from).min(1024)
 }

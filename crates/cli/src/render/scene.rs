@@ -1,5 +1,6 @@
 //! The scene that is asked for: read, overridden, validated.
 
+use catoptric_core::cone_bytes;
 use catoptric_scene::{Draft, Light, Plane, Scene, Sphere};
 
 use super::options::Options;
@@ -40,14 +41,10 @@ const BODY_BYTES: u64 = 320;
 /// The same of a light.
 const LIGHT_BYTES: u64 = 120;
 
-/// The same of each of either, and once: the cones of shadows, which are no more than the engine allows
-/// itself.
-const CONE_BYTES: u64 = 4 * 16;
-const CONES_BYTES: u64 = 2 << 20;
-
 /// Bytes that an engine makes of a scene, at most.
 fn made(scene: &Draft) -> u64 {
-    let lights = scene.lights.len() as u64;
-    let bodies = (scene.spheres.len() + scene.planes.len()) as u64;
-    bodies * BODY_BYTES + lights * LIGHT_BYTES + (bodies + lights) * CONE_BYTES + CONES_BYTES
+    let (lights, spheres) = (scene.lights.len(), scene.spheres.len());
+    let cones = cone_bytes(spheres, lights) as u64;
+    let (lights, bodies) = (lights as u64, (spheres + scene.planes.len()) as u64);
+    bodies * BODY_BYTES + lights * LIGHT_BYTES + cones
 }

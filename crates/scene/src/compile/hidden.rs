@@ -98,7 +98,7 @@ impl Hides for Body<'_> {
 /// A plane, and on which side the eye is.
 struct Half<'a> {
     plane: &'a Plane,
-    /// Of any length, as [`scaled_height`] takes it.
+    /// Normal of any length, as [`scaled_height`] takes it.
     normal: [f64; 3],
     below: bool,
 }
