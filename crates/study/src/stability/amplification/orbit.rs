@@ -98,6 +98,12 @@ impl Orbit {
         Self { nudge: x.cross(y), lambda, ..Self::triangle(sigma) }
     }
 
+    /// A unit vector at right angles to the orbits' planes.
+    #[must_use]
+    pub fn plane_normal() -> DVec3 {
+        axes()[2]
+    }
+
     /// An eye on the orbit's first flight, moved aside of it by up to a tenth of its length
     /// or of the radius, in the way numbered `index`; and its ray, aimed to stay for `bounces`
     /// bounces, or as many as double-double can.

@@ -43,10 +43,13 @@ pub(crate) fn glossy(k: f64) -> Material {
 /// a field of view of `degrees`; under a bright sky.
 pub(crate) fn between_balls(orbit: &Orbit, degrees: f64, k: f64, max_depth: u32) -> Draft {
     let aimed = orbit.aimed(3, max_depth as usize);
+    let ahead = aimed.direction().to_array();
     let mut draft = aimed.scene.into_draft();
+    let eye = draft.camera.position;
+    draft.camera.look_at = along(eye, ahead, 64.0);
+    draft.camera.up = Orbit::plane_normal().to_array();
     draft.camera.fov = degrees;
     draft.render.background = [0.3, 0.5, 0.7];
-    let eye = draft.camera.position;
     draft.lights.push(Light { position: along(eye, [11.0, 13.0, 7.0], 1.0), intensity: [0.8; 3] });
     draft.spheres.iter_mut().for_each(|sphere| sphere.material = glossy(k));
     sized(draft, 40, 30, max_depth)
