@@ -139,10 +139,10 @@ fn levels_begin_where_they_do_one_by_one() {
     }
 }
 
-/// From so far that some points of a ball are no number: they do not hide the others from what can
-/// stand between them and a lamp.
+/// From so far that distances are rounded by more than the radius of a ball, whose points were no
+/// number once: what can stand between each of them and a lamp is found all the same.
 #[test]
-fn points_that_are_no_number() {
+fn points_nearer_than_distances_are_rounded() {
     let mut draft = scenes::named("workshop");
     draft.camera.position = [0.0; 3];
     draft.camera.look_at = [3316140.1446752865, -4710683.201650074, 3952815.179845415];
@@ -161,7 +161,7 @@ fn points_that_are_no_number() {
         ball([3316140.1446752865, -4710683.201650074, 3952816.079845415], 0.05, 0.0),
         ball([3316140.1446752865, -4710683.301830922, 3952814.7990874797], 0.3031416704052487, 0.0),
     ];
-    assert_identical("points that are no number", &scenes::sized(&draft, 7, 20, 4));
+    assert_identical("points nearer than distances are rounded", &scenes::sized(&draft, 7, 20, 4));
 }
 
 /// The same surface again changes nothing, whatever it is made of: the first is seen, from

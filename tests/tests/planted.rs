@@ -212,12 +212,6 @@ const FAULTS: &[Fault] = &[
         instead: "met.nearest.distance.gather(|_| slots(0))",
     },
     Fault {
-        name: "a point that is no number takes the others' bounds away",
-        file: "surfaces.rs",
-        sound: "[arm.least(bounds[0]), arm.most(bounds[1])]",
-        instead: "[bounds[0].least(arm), bounds[1].most(arm)]",
-    },
-    Fault {
         name: "room for two entries a packet, where each ray may leave one",
         file: "packet.rs",
         sound: "stack.make_room(count.rays as usize)",
