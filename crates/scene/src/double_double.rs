@@ -85,6 +85,21 @@ impl DoubleDouble {
         Self { hi, lo }
     }
 
+    /// A whole multiple of 2^-96 times the power of two just below |length|, within one of it; 0 where
+    /// it is far less than that. A high part in the middle between two f64 becomes the even one.
+    #[must_use]
+    pub fn on_grid_of(self, length: f64) -> Self {
+        const STEP: f64 = 1.0 / (1_u128 << 96) as f64;
+        const NO_ROOM: f64 = 1.5 * (1_u64 << 52) as f64;
+        let power = f64::from_bits(length.to_bits() & f64::INFINITY.to_bits());
+        // Beside this number there is no room for a part of a step. A high part that is not far
+        // below it is on the grid as it is.
+        let beside = power * STEP * NO_ROOM;
+        let rounded = |x: f64| if x.abs() < beside / 3.0 { (x + beside) - beside } else { x };
+        let (hi, lo) = fast_two_sum(rounded(self.hi), rounded(self.lo));
+        Self { hi, lo }
+    }
+
     /// The square root; NaN for a negative number, 0 for 0.
     ///
     /// One Newton step on the f64 root, whose residual is formed exactly.

@@ -48,6 +48,11 @@ fn number() -> impl Strategy<Value = DoubleDouble> {
     )
 }
 
+#[expect(clippy::cast_precision_loss, reason = "at most 53 bits")]
+fn in_f64(n: i64) -> f64 {
+    n as f64
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
@@ -72,6 +77,18 @@ proptest! {
         let a = if a.to_f64() < 0.0 { -a } else { a };
         let root = dashu_float::ops::SquareRoot::sqrt(&value(a));
         assert_within(a.sqrt(), &root, [4.0, 0.0]);
+    }
+
+    #[test]
+    fn the_noise_of_a_turn_is_taken_out(short in -1i64 << 54..1 << 54, down in 0_i32..42, noise in -1.0..1.0_f64) {
+        // Up to 54 bits, so middles between two f64 as well; a length of 2^54 or more.
+        let short = DoubleDouble::difference(in_f64(short >> 1 << 1), -in_f64(short & 1));
+        let short = short * DoubleDouble::from(f64::from(-down).exp2());
+        let length = 1.5 * 54_f64.exp2();
+        let near = short + DoubleDouble::from(noise * length * (-100_f64).exp2());
+        let found = near.on_grid_of(length);
+        prop_assert_eq!(found.to_f64().to_bits(), short.to_f64().to_bits());
+        prop_assert_eq!(value(found), value(short));
     }
 
     #[test]
