@@ -37,17 +37,19 @@ pub fn pair() -> impl Strategy<Value = [Scene; 2]> {
             let mut draft = scene.into_draft();
             draft.render.numerics = Numerics::Robust;
             let eye = draft.camera.position;
+            let extent = draft.spheres.iter().map(|s| distance(s.center, eye) + s.radius);
+            let extent = extent.fold(0.0, f64::max);
             let material = Material { reflect: Some(0.3), ..Material::matt([0.4, 0.5, 0.6]) };
             // The shield's point nearest the eye, and the thing behind it.
             let added = if plane {
                 let foot = along(eye, way, -height);
                 draft.planes.push(Plane { point: foot, normal: way, material });
-                behind_plane(eye, foot, way, &thing)
+                behind_plane(extent + height, foot, way, &thing)
             } else {
                 let radius = height + 1.0;
                 let center = along(eye, way, height);
                 draft.spheres.push(Sphere { center, radius, material });
-                Body::Sphere(outside(eye, center, radius, way, &thing))
+                Body::Sphere(outside(extent + height, center, radius, way, &thing))
             };
             let mut more = draft.clone();
             match added {
@@ -65,11 +67,10 @@ enum Body {
 }
 
 /// Its nearest point is farther behind than rounding could ever lead a ray: a hundredth of its size
-/// and distance.
-fn behind_plane(eye: [f64; 3], foot: [f64; 3], normal: [f64; 3], thing: &Thing) -> Body {
+/// and of how far from the eye a ray may come from a sphere.
+fn behind_plane(extent: f64, foot: [f64; 3], normal: [f64; 3], thing: &Thing) -> Body {
     let material = Material::matt([9.0, 0.0, 9.0]);
-    let height = distance(eye, foot);
-    let margin = |size: f64| thing.behind + 0.01 * (size + height);
+    let margin = |size: f64| thing.behind + 0.01 * (size + extent);
     let Some(radius) = thing.radius else {
         let point = along(foot, normal, -margin(0.0));
         return Body::Plane(Plane { point, normal, material });
@@ -82,11 +83,11 @@ fn behind_plane(eye: [f64; 3], foot: [f64; 3], normal: [f64; 3], thing: &Thing) 
 }
 
 /// Beside a sphere around the eye.
-fn outside(eye: [f64; 3], center: [f64; 3], radius: f64, way: [f64; 3], thing: &Thing) -> Sphere {
+fn outside(extent: f64, center: [f64; 3], radius: f64, way: [f64; 3], thing: &Thing) -> Sphere {
     let material = Material::matt([9.0, 0.0, 9.0]);
     let size = thing.radius.unwrap_or(thing.off);
     let way = if thing.off > 1.0 { way.map(|x| -x) } else { thing.aside };
-    let margin = thing.behind + 0.01 * (size + radius + distance(eye, center));
+    let margin = thing.behind + 0.01 * (size + radius + extent);
     Sphere { center: along(center, way, radius + margin + size), radius: size, material }
 }
 

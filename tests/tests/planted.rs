@@ -42,11 +42,11 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "a fused multiply-add in a ball's discriminant",
         file: "ball.rs",
-        sound: "L::splat(ball.radius_squared) - x.dot(x)",
+        sound: "self.radius_squared - from_center",
         instead: "{ let (p, q, r) = (x.x.to_array(), x.y.to_array(), x.z.to_array()); \
             let sum = L::from_array(p) * L::from_array(p) + L::from_array(q) * L::from_array(q); \
             let (sum, f) = (sum.to_array(), catoptric_scene::Scalar::to_f64); \
-            L::splat(ball.radius_squared) - L::from_array(std::array::from_fn(\
+            let _ = from_center; self.radius_squared - L::from_array(std::array::from_fn(\
             |i| catoptric_scene::Scalar::rounded(f(r[i]).mul_add(f(r[i]), f(sum[i]))))) }",
     },
     Fault {
@@ -82,8 +82,8 @@ const FAULTS: &[Fault] = &[
     Fault {
         name: "another form of a quotient by a root",
         file: "ball.rs",
-        sound: "L::splat(self.radius) / x.length()",
-        instead: "L::splat(self.radius) * (L::constant(1.0) / x.length())",
+        sound: "self.radius / x.length()",
+        instead: "self.radius * (L::constant(1.0) / x.length())",
     },
     Fault {
         name: "a mirrored direction that is not made a unit vector again",
@@ -161,13 +161,13 @@ const FAULTS: &[Fault] = &[
         name: "a ball's normal from its distance",
         file: "ball.rs",
         sound: "x - rays.direction * (g + s)",
-        instead: "{ let _ = (g, s); x * (L::splat(self.radius) / x.length()) }",
+        instead: "{ let _ = (g, s); x * (self.radius / x.length()) }",
     },
     Fault {
         name: "a lamp seen from a ball's point as it is rounded",
-        file: "nearest.rs",
-        sound: "Vec3::splat(lamp) - Vec3::splat(anchor) - arm",
-        instead: "Vec3::splat(lamp) - (Vec3::splat(anchor) + arm)",
+        file: "light.rs",
+        sound: "from_anchor - Vec3::from_arrays(&surface.arm)",
+        instead: "Vec3::splat(lamp.position) - form.point(Vec3::from_arrays(&surface.arm))",
     },
     Fault {
         name: "a cone of shadow that holds beyond its reach",

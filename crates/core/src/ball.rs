@@ -1,29 +1,69 @@
 //! Eight rays against a ball: `reference::ball`, lane by lane.
 
-use catoptric_scene::{Ball, Numerics};
+use catoptric_scene::Numerics;
 
-use crate::lanes::{Lane, Lanes, Mask};
+use crate::lanes::{Lanes, Mask};
 use crate::nearest::{Around, Form};
 use crate::packet::{Distance, Rays};
 use crate::vec3::Vec3;
 
+/// The constants of `catoptric_scene::Ball`, in every lane.
+#[derive(Clone, Copy)]
+pub(crate) struct Ball<L> {
+    center: Vec3<L>,
+    radius: L,
+    radius_squared: L,
+    /// What an arm is multiplied by to be the normal: side / radius.
+    normal_scale: L,
+    around: bool,
+}
+
+impl<L: Lanes> Ball<L> {
+    #[inline(always)]
+    pub(crate) fn splat(ball: &catoptric_scene::Ball<L::Scalar>) -> Self {
+        Self {
+            center: Vec3::splat(ball.center),
+            radius: L::splat(ball.radius),
+            radius_squared: L::splat(ball.radius_squared),
+            normal_scale: L::splat(ball.side) / L::splat(ball.radius),
+            around: ball.is_around(),
+        }
+    }
+
+    /// The foot of the perpendicular from the centre on rays.
+    #[inline(always)]
+    pub(crate) fn foot(&self, rays: &Rays<L>) -> Foot<L> {
+        let f = self.center - rays.origin;
+        let b = f.dot(rays.direction);
+        let x = rays.direction * b - f;
+        let from_center = x.dot(x);
+        Foot { b, discriminant: self.radius_squared - from_center }
+    }
+
+    /// The lanes for which it, not around the eye, stands between `point` and a lamp at `distance` in
+    /// direction `l`.
+    #[inline(always)]
+    pub(crate) fn occludes(&self, point: Vec3<L>, l: Vec3<L>, distance: L) -> Mask<L> {
+        let f = self.center - point;
+        let b = f.dot(l);
+        let x = l * b - f;
+        b.gt(L::constant(0.0)) & b.lt(distance) & x.dot(x).le(self.radius_squared)
+    }
+}
+
 /// A ball that is not around the eye.
-impl<S: Lane> Form<S> for Ball<S> {
+impl<L: Lanes> Form<L> for Ball<L> {
     const NUMERICS: Numerics = Numerics::Robust;
     const LEFT_BEHIND: bool = true;
 
     #[inline(always)]
-    fn ball(&self) -> Option<&Ball<S>> {
+    fn ball(&self) -> Option<&Ball<L>> {
         Some(self)
     }
 
     #[inline(always)]
-    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
-        &self,
-        rays: &Rays<L>,
-        own: Mask<L>,
-    ) -> Option<Distance<L>> {
-        let foot = foot(self, rays).without(own);
+    fn distance<const EYE: bool>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>> {
+        let foot = self.foot(rays).without(own);
         if !foot.met().any() {
             return None;
         }
@@ -31,39 +71,35 @@ impl<S: Lane> Form<S> for Ball<S> {
     }
 
     #[inline(always)]
-    fn anchor(&self) -> Option<S::Vec3> {
+    fn anchor(&self) -> Option<Vec3<L>> {
         Some(self.center)
     }
 
     /// Arms from the centre; the engine shades a ball around the eye by this too.
     #[inline(always)]
-    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
-        let x = rays.direction * t - (Vec3::splat(self.center) - rays.origin);
-        if self.is_around() {
-            return x * (L::splat(self.radius) / x.length());
+    fn arm(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+        let x = rays.direction * t - (self.center - rays.origin);
+        if self.around {
+            return x * (self.radius / x.length());
         }
         let g = x.dot(rays.direction);
-        let s = (L::splat(self.radius_squared) - x.dot(x) + g * g).positive().sqrt();
+        let s = (self.radius_squared - x.dot(x) + g * g).positive().sqrt();
         x - rays.direction * (g + s)
     }
 
     #[inline(always)]
-    fn normal<L: Lanes<Scalar = S>>(&self, arm: Vec3<L>, _: Vec3<L>) -> Vec3<L> {
-        arm * (L::splat(self.side) / L::splat(self.radius))
+    fn normal(&self, arm: Vec3<L>, _: Vec3<L>) -> Vec3<L> {
+        arm * self.normal_scale
     }
 }
 
-impl<S: Lane> Form<S> for Around<Ball<S>> {
+impl<L: Lanes> Form<L> for Around<Ball<L>> {
     const NUMERICS: Numerics = Numerics::Robust;
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
-    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
-        &self,
-        rays: &Rays<L>,
-        own: Mask<L>,
-    ) -> Option<Distance<L>> {
-        let Foot { b, discriminant } = foot(&self.0, rays);
+    fn distance<const EYE: bool>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>> {
+        let Foot { b, discriminant } = self.0.foot(rays);
         // Of a packet that left it whole, no root.
         let s = if own.all() { b } else { own.select(b, discriminant.positive().sqrt()) };
         let t = (b + s).not_behind();
@@ -71,17 +107,17 @@ impl<S: Lane> Form<S> for Around<Ball<S>> {
     }
 
     #[inline(always)]
-    fn anchor(&self) -> Option<S::Vec3> {
+    fn anchor(&self) -> Option<Vec3<L>> {
         self.0.anchor()
     }
 
     #[inline(always)]
-    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+    fn arm(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         self.0.arm(rays, t)
     }
 
     #[inline(always)]
-    fn normal<L: Lanes<Scalar = S>>(&self, arm: Vec3<L>, d: Vec3<L>) -> Vec3<L> {
+    fn normal(&self, arm: Vec3<L>, d: Vec3<L>) -> Vec3<L> {
         self.0.normal(arm, d)
     }
 }
@@ -93,14 +129,6 @@ pub(crate) struct Foot<L> {
     pub(crate) b: L,
     /// r^2 less the square of its distance from the centre.
     pub(crate) discriminant: L,
-}
-
-#[inline(always)]
-pub(crate) fn foot<L: Lanes>(ball: &Ball<L::Scalar>, rays: &Rays<L>) -> Foot<L> {
-    let f = Vec3::splat(ball.center) - rays.origin;
-    let b = f.dot(rays.direction);
-    let x = rays.direction * b - f;
-    Foot { b, discriminant: L::splat(ball.radius_squared) - x.dot(x) }
 }
 
 impl<L: Lanes> Foot<L> {
@@ -123,19 +151,4 @@ impl<L: Lanes> Foot<L> {
         let t = (self.b - self.discriminant.sqrt()).not_behind();
         Distance { t, met: self.met() }
     }
-}
-
-/// The lanes for which it, not around the eye, stands between `point` and a lamp at `distance` in
-/// direction `l`.
-#[inline(always)]
-pub(crate) fn occludes<L: Lanes>(
-    ball: &Ball<L::Scalar>,
-    point: Vec3<L>,
-    l: Vec3<L>,
-    distance: L,
-) -> Mask<L> {
-    let f = Vec3::splat(ball.center) - point;
-    let b = f.dot(l);
-    let x = l * b - f;
-    b.gt(L::constant(0.0)) & b.lt(distance) & x.dot(x).le(L::splat(ball.radius_squared))
 }

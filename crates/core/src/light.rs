@@ -6,14 +6,16 @@
 
 use catoptric_scene::{Numerics, Phong, PointLight, Scalar, Shape};
 
+use crate::ball::Ball;
+use crate::flat::Flat;
 use crate::lanes::{LANES, Lane, Lanes, Mask};
 use crate::nearest::Form;
 use crate::occluders::{Occluder, Toward};
 use crate::packet::{Rays, World};
 use crate::power::power;
 use crate::surfaces::Surface;
+use crate::textbook::{TextbookPlane, TextbookSphere};
 use crate::vec3::{Packed, Vec3};
-use crate::{ball, flat, textbook};
 
 /// So many packets of places are lit side by side, each a bit of a u32. They stay in the nearest
 /// cache.
@@ -86,7 +88,7 @@ impl<S: Lane> Place<S> {
 /// A lane that the lamp does not reach adds +0, which changes nothing: no colour is -0. Without
 /// a highlight the recursion adds 0 · power, which changes nothing either.
 #[inline(always)]
-pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
+pub(crate) fn light<L: Lanes, F: Form<L>>(
     form: F,
     world: World<L::Scalar>,
     material: &Phong<L::Scalar>,
@@ -96,17 +98,22 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
     places: &mut [Place<L::Scalar>],
 ) -> u64 {
     let Lamp { lamp, toward, occluders } = lamp;
+    // Formed once: in the loops, which write, the compiler would read and spread them each time.
+    let from_anchor = form.relative(Vec3::splat(lamp.position));
+    let reach = L::splat(toward.reach);
+    let (intensity, diffuse) = (Vec3::<L>::splat(lamp.intensity), Vec3::splat(material.diffuse));
+    let specular = L::splat(material.specular);
     let mut rays = 0;
     let mut far = 0;
     for (surface, at) in surfaces.iter().zip(&mut *places).rev() {
-        let to_lamp = form.to_lamp(lamp.position, Vec3::<L>::from_arrays(&surface.arm));
+        let to_lamp = from_anchor - Vec3::from_arrays(&surface.arm);
         let distance = to_lamp.length();
         let l = to_lamp * (L::constant(1.0) / distance);
         let facing = Vec3::from_arrays(&at.normal).dot(l);
         let zero = L::constant(0.0);
         let faces = facing.gt(zero) & distance.gt(zero);
         rays += u64::from((faces.bits() & ((1 << at.live) - 1)).count_ones());
-        far = far * 2 + u32::from(faces.without(distance.lt(L::splat(toward.reach))).any());
+        far = far * 2 + u32::from(faces.without(distance.lt(reach)).any());
         at.way = Way {
             l: l.to_arrays(),
             distance: distance.to_array(),
@@ -127,13 +134,13 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
         if !lit.any() {
             continue;
         }
-        let mut light = Vec3::splat(material.diffuse) * L::from_array(at.way.facing);
+        let mut light = diffuse * L::from_array(at.way.facing);
         if highlight {
             let shine = Vec3::<L>::from_arrays(&at.way.l).dot(Vec3::from_arrays(&at.mirrored));
-            let highlight = L::splat(material.specular) * power(shine, material.power);
+            let highlight = specular * power(shine, material.power);
             light = light + Vec3::all(highlight);
         }
-        let sent = (Vec3::splat(lamp.intensity) * light).keep(lit);
+        let sent = (intensity * light).keep(lit);
         at.colour = (Vec3::from_arrays(&at.colour) + sent).to_arrays();
     }
     rays
@@ -141,7 +148,7 @@ pub(crate) fn light<L: Lanes, F: Form<L::Scalar>>(
 
 /// Shadows of balls and large spheres, one after another. `far`: the places beyond the lamp's reach.
 #[inline(always)]
-fn shadows_side_by_side<L: Lanes, F: Form<L::Scalar>>(
+fn shadows_side_by_side<L: Lanes, F: Form<L>>(
     form: F,
     world: World<L::Scalar>,
     far: u32,
@@ -159,13 +166,13 @@ fn shadows_side_by_side<L: Lanes, F: Form<L::Scalar>>(
                     rest &= rest - 1;
                     let (point, at) = (point(&surfaces[place]), &mut places[place]);
                     let (l, distance) = at.way();
-                    at.darken(ball::occludes::<L>(ball, point, l, distance));
+                    at.darken(Ball::splat(ball).occludes(point, l, distance));
                 }
             }
             Occluder::Flat(flat) => {
                 for (surface, at) in surfaces.iter().zip(&mut *places) {
                     let (l, distance) = at.way();
-                    at.darken(flat::occludes::<L>(flat, point(surface), l, distance));
+                    at.darken(Flat::splat(flat).occludes(point(surface), l, distance));
                 }
             }
             Occluder::Textbook(_) => unreachable!("a scene's forms are all of its numerics"),
@@ -176,7 +183,7 @@ fn shadows_side_by_side<L: Lanes, F: Form<L::Scalar>>(
 /// Place by place, until a place is dark. Textbook roots cost more than to find that out, and so do
 /// occluders none of which is left out.
 #[inline(always)]
-fn shadows_in_turn<L: Lanes, F: Form<L::Scalar>>(
+fn shadows_in_turn<L: Lanes, F: Form<L>>(
     form: F,
     world: World<L::Scalar>,
     occluders: &[u32],
@@ -195,15 +202,17 @@ fn shadows_in_turn<L: Lanes, F: Form<L::Scalar>>(
             }
             let dark = match (F::NUMERICS, world.occluders.get(number)) {
                 (Numerics::Robust, Occluder::Ball(ball)) => {
-                    ball::occludes(ball, start, l, distance)
+                    Ball::splat(ball).occludes(start, l, distance)
                 }
                 (Numerics::Robust, Occluder::Flat(flat)) => {
-                    flat::occludes(flat, start, l, distance)
+                    Flat::splat(flat).occludes(start, l, distance)
                 }
                 (Numerics::Textbook, Occluder::Textbook(index)) => {
                     let root = match &world.scene.primitives[index as usize].shape {
-                        Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, &rays),
-                        Shape::TextbookPlane(plane) => textbook::plane_distance(plane, &rays),
+                        Shape::TextbookSphere(sphere) => {
+                            TextbookSphere::splat(sphere).met_by(&rays)
+                        }
+                        Shape::TextbookPlane(plane) => TextbookPlane::splat(plane).met_by(&rays),
                         _ => unreachable!("a scene's forms are all of its numerics"),
                     };
                     root.met & root.t.lt(distance)

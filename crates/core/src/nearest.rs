@@ -6,12 +6,14 @@
 
 use std::ops::Range;
 
-use catoptric_scene::{Ball, Compiled, Numerics, Shape};
+use catoptric_scene::{Compiled, Numerics, Shape};
 
-use crate::ball::{self, Foot};
+use crate::ball::{Ball, Foot};
+use crate::flat::Flat;
 use crate::lanes::{LANES, Lane, Lanes, Mask};
 use crate::packet::{Distance, NONE, Rays};
 use crate::plane::{PACKETS, Plane};
+use crate::textbook::{TextbookPlane, TextbookSphere};
 use crate::vec3::Vec3;
 use crate::wave::Wave;
 
@@ -57,20 +59,26 @@ pub(crate) fn nearest<L: Lanes, const EYE: bool>(
     for &index in tried {
         let all = Try { index, wave, packets: packets.clone(), nearest };
         let packets = match &scene.primitives[index as usize].shape {
-            Shape::Ball(ball) if ball.is_around() => all.run::<L, _, EYE>(Around(*ball)),
-            Shape::Ball(ball) => all.run::<L, _, EYE>(*ball),
-            Shape::Flat(flat) if flat.is_around() => all.run::<L, _, EYE>(Around(*flat)),
-            Shape::Flat(flat) => all.run::<L, _, EYE>(*flat),
-            Shape::TextbookSphere(sphere) => all.run::<L, _, EYE>(*sphere),
-            Shape::TextbookPlane(plane) => all.run::<L, _, EYE>(*plane),
+            Shape::Ball(ball) if ball.is_around() => {
+                all.run::<L, _, EYE>(Around(Ball::<L>::splat(ball)))
+            }
+            Shape::Ball(ball) => all.run::<L, _, EYE>(Ball::<L>::splat(ball)),
+            Shape::Flat(flat) if flat.is_around() => {
+                all.run::<L, _, EYE>(Around(Flat::<L>::splat(flat)))
+            }
+            Shape::Flat(flat) => all.run::<L, _, EYE>(Flat::<L>::splat(flat)),
+            Shape::TextbookSphere(sphere) => {
+                all.run::<L, _, EYE>(TextbookSphere::<L>::splat(sphere))
+            }
+            Shape::TextbookPlane(plane) => all.run::<L, _, EYE>(TextbookPlane::<L>::splat(plane)),
         };
         nearest.found[nearest.found_len] = Found { index, packets };
         nearest.found_len += usize::from(packets != 0);
     }
 }
 
-/// What a ray may meet.
-pub(crate) trait Form<S: Lane>: Copy {
+/// What eight rays may meet: the constants of a form, lane by lane.
+pub(crate) trait Form<L: Lanes>: Copy {
     /// The formulas that it belongs to.
     const NUMERICS: Numerics;
     /// Whether rays that left it do not meet it next, whatever it is computed to be.
@@ -78,7 +86,7 @@ pub(crate) trait Form<S: Lane>: Copy {
 
     /// The ball that it is, if it is one that is not around the eye.
     #[inline(always)]
-    fn ball(&self) -> Option<&Ball<S>> {
+    fn ball(&self) -> Option<&Ball<L>> {
         None
     }
 
@@ -86,45 +94,42 @@ pub(crate) trait Form<S: Lane>: Copy {
     /// all rays start at the eye.
     ///
     /// Idle lanes compute what is never read.
-    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
-        &self,
-        rays: &Rays<L>,
-        own: Mask<L>,
-    ) -> Option<Distance<L>>;
+    fn distance<const EYE: bool>(&self, rays: &Rays<L>, own: Mask<L>) -> Option<Distance<L>>;
 
     /// What its points are measured from: a ball's centre, or else the eye.
     #[inline(always)]
-    fn anchor(&self) -> Option<S::Vec3> {
+    fn anchor(&self) -> Option<Vec3<L>> {
         None
     }
 
     /// Where rays meet it at distances `t`, from the anchor.
-    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L>;
+    fn arm(&self, rays: &Rays<L>, t: L) -> Vec3<L>;
 
     /// Unit normals where rays in `direction` meet it.
-    fn normal<L: Lanes<Scalar = S>>(&self, arm: Vec3<L>, direction: Vec3<L>) -> Vec3<L>;
+    fn normal(&self, arm: Vec3<L>, direction: Vec3<L>) -> Vec3<L>;
 
     /// The points at the end of arms.
     #[inline(always)]
-    fn point<L: Lanes<Scalar = S>>(&self, arm: Vec3<L>) -> Vec3<L> {
+    fn point(&self, arm: Vec3<L>) -> Vec3<L> {
         match self.anchor() {
-            Some(anchor) => Vec3::splat(anchor) + arm,
+            Some(anchor) => anchor + arm,
             None => arm,
         }
     }
 
-    /// The ways from there to a lamp: `reference::trace::Surface::to`.
+    /// A point, relative to the anchor. Less an arm it is the way to it from the arm's end:
+    /// `reference::trace::Surface::to`.
     #[inline(always)]
-    fn to_lamp<L: Lanes<Scalar = S>>(&self, lamp: S::Vec3, arm: Vec3<L>) -> Vec3<L> {
+    fn relative(&self, point: Vec3<L>) -> Vec3<L> {
         match self.anchor() {
-            Some(anchor) => Vec3::splat(lamp) - Vec3::splat(anchor) - arm,
-            None => Vec3::splat(lamp) - arm,
+            Some(anchor) => point - anchor,
+            None => point,
         }
     }
 
     /// Where rays that leave such a point start.
     #[inline(always)]
-    fn start<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _normal: Vec3<L>) -> Vec3<L> {
+    fn start(&self, point: Vec3<L>, _normal: Vec3<L>) -> Vec3<L> {
         point
     }
 }
@@ -144,7 +149,7 @@ struct Try<'a, S> {
 impl<S: Lane> Try<'_, S> {
     /// On all packets, run by run; those in which some ray may meet it.
     #[inline(always)]
-    fn run<L: Lanes<Scalar = S>, F: Form<S>, const EYE: bool>(mut self, form: F) -> u64 {
+    fn run<L: Lanes<Scalar = S>, F: Form<L>, const EYE: bool>(mut self, form: F) -> u64 {
         if EYE {
             return self.on::<L, F, true, false>(form, self.packets.clone(), Mask::none());
         }
@@ -174,7 +179,7 @@ impl<S: Lane> Try<'_, S> {
 
     /// On some packets, of which the lanes `own` left it; `MIXED`: which did is looked up.
     #[inline(always)]
-    fn on<L: Lanes<Scalar = S>, F: Form<S>, const EYE: bool, const MIXED: bool>(
+    fn on<L: Lanes<Scalar = S>, F: Form<L>, const EYE: bool, const MIXED: bool>(
         &mut self,
         form: F,
         packets: Range<usize>,
@@ -198,7 +203,7 @@ impl<S: Lane> Try<'_, S> {
             } else {
                 own
             };
-            if let Some(distance) = form.distance::<L, EYE>(&rays, own) {
+            if let Some(distance) = form.distance::<EYE>(&rays, own) {
                 found |= 1 << i;
                 take(index, distance, &mut indices[i], &mut distances[i]);
             }
@@ -212,7 +217,7 @@ impl<S: Lane> Try<'_, S> {
     #[inline(always)]
     fn sift<L: Lanes<Scalar = S>, const MIXED: bool>(
         &mut self,
-        ball: &Ball<S>,
+        ball: &Ball<L>,
         packets: Range<usize>,
     ) -> u64 {
         let (first, len) = (packets.start, packets.len());
@@ -225,7 +230,7 @@ impl<S: Lane> Try<'_, S> {
         let mut found = 0;
         for i in (0..len).rev() {
             let rays = Rays { origin: tried.origin::<L>(i), direction: tried.direction(i) };
-            let mut foot = ball::foot(ball, &rays);
+            let mut foot = ball.foot(&rays);
             if MIXED {
                 foot = foot.without(tried.left::<L>(i).same_bits(index));
             }

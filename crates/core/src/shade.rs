@@ -3,6 +3,8 @@
 use catoptric_scene::{DepthCount, Numerics, PointLight, Scalar, Shape};
 use glam::DVec3;
 
+use crate::ball::Ball;
+use crate::flat::Flat;
 use crate::lanes::{LANES, Lane, Lanes, Mask};
 use crate::light::{Lamp, Place, SIDE_BY_SIDE, light};
 use crate::nearest::{Form, Found, Nearest};
@@ -11,6 +13,7 @@ use crate::plan::is_unlit;
 use crate::sight::in_f64;
 use crate::stack::{Owed, Stack};
 use crate::surfaces::{Met, Surface, Surfaces};
+use crate::textbook::{TextbookPlane, TextbookSphere};
 use crate::vec3::Vec3;
 use crate::wave::{Mirrored, Wave};
 
@@ -78,16 +81,20 @@ pub(crate) fn shade<L: Lanes>(
     shading: &mut Shading<L::Scalar>,
 ) {
     match &world.scene.primitives[found.index as usize].shape {
-        Shape::Ball(ball) => shade_form::<L, _>(*ball, world, found, level, shading),
-        Shape::Flat(flat) => shade_form::<L, _>(*flat, world, found, level, shading),
-        Shape::TextbookSphere(sphere) => shade_form::<L, _>(*sphere, world, found, level, shading),
-        Shape::TextbookPlane(plane) => shade_form::<L, _>(*plane, world, found, level, shading),
+        Shape::Ball(ball) => shade_form(Ball::<L>::splat(ball), world, found, level, shading),
+        Shape::Flat(flat) => shade_form(Flat::<L>::splat(flat), world, found, level, shading),
+        Shape::TextbookSphere(sphere) => {
+            shade_form(TextbookSphere::<L>::splat(sphere), world, found, level, shading);
+        }
+        Shape::TextbookPlane(plane) => {
+            shade_form(TextbookPlane::<L>::splat(plane), world, found, level, shading);
+        }
     }
 }
 
 /// [`shade`] for a primitive of one form.
 #[inline(always)]
-fn shade_form<L: Lanes, F: Form<L::Scalar>>(
+fn shade_form<L: Lanes, F: Form<L>>(
     form: F,
     world: World<L::Scalar>,
     found: Found,
@@ -111,7 +118,7 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
     let (center, radius) = if few || !world.omit.occluders {
         (DVec3::ZERO, f64::INFINITY)
     } else {
-        surfaces.bounds(form.anchor())
+        surfaces.bounds(anchor(&primitive.shape))
     };
     let unlit = world.omit.shadows && is_unlit(material);
     let lights = if unlit { world.hidden } else { &scene.lights };
@@ -173,6 +180,15 @@ fn shade_form<L: Lanes, F: Form<L::Scalar>>(
     }
 }
 
+/// [`Form::anchor`] in f64.
+#[inline(always)]
+fn anchor<S: Scalar>(shape: &Shape<S>) -> DVec3 {
+    match shape {
+        Shape::Ball(ball) => in_f64::<S>(ball.center),
+        _ => DVec3::ZERO,
+    }
+}
+
 /// Points on a primitive, and a ball that holds them.
 #[derive(Clone, Copy)]
 struct Lit<'a, S: Scalar> {
@@ -208,7 +224,7 @@ fn mirrored<L: Lanes>(numerics: Numerics, d: Vec3<L>, n: Vec3<L>) -> Vec3<L> {
 ///
 /// Without a cut every weight passes, and weights are not even formed.
 #[inline(always)]
-fn go_on<L: Lanes, F: Form<L::Scalar>>(
+fn go_on<L: Lanes, F: Form<L>>(
     form: F,
     world: World<L::Scalar>,
     index: u32,
@@ -224,6 +240,11 @@ fn go_on<L: Lanes, F: Form<L::Scalar>>(
     let start = form.start(point, Vec3::from_arrays(&at.normal));
     let rays_on = Rays { origin: start, direction: Vec3::from_arrays(&at.mirrored) };
     let mut next = Mirrored { rays: rays_on, weight: None, left };
+    if !level.cut && at.live as usize == LANES {
+        level.next.push(&next);
+        level.stack.push(owes.local, owes.rays, owes.material);
+        return;
+    }
     let lanes = Mask::first(at.live);
     let mut goes_on = lanes;
     if level.cut {

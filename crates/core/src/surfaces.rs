@@ -7,7 +7,6 @@ use crate::nearest::{Form, Found, Nearest};
 use crate::occluders::POINT;
 use crate::packet::Rays;
 use crate::plane::PACKETS;
-use crate::sight::in_f64;
 use crate::singles::Singles;
 use crate::stack::Owed;
 use crate::vec3::{Packed, Vec3};
@@ -70,7 +69,7 @@ impl<S: Lane> Surfaces<S> {
     /// There are no more surfaces than packets: so many packets met it whole, and the single rays
     /// come from others, eight of them at most. The list does not end before them.
     #[inline(always)]
-    pub(crate) fn collect<L: Lanes<Scalar = S>, F: Form<S>>(
+    pub(crate) fn collect<L: Lanes<Scalar = S>, F: Form<L>>(
         &mut self,
         form: F,
         met: Met<S>,
@@ -114,10 +113,9 @@ impl<S: Lane> Surfaces<S> {
     }
 
     /// Centre, a point of the scalar, and radius of a ball that holds all points, and all that they
-    /// were rounded from. `anchor` is the form's.
+    /// were rounded from. `anchor` is where arms start.
     #[inline(always)]
-    pub(crate) fn bounds(&self, anchor: Option<S::Vec3>) -> (DVec3, f64) {
-        let anchor = anchor.map_or(DVec3::ZERO, in_f64::<S>);
+    pub(crate) fn bounds(&self, anchor: DVec3) -> (DVec3, f64) {
         let (mut center, mut corner) = (DVec3::ZERO, DVec3::ZERO);
         for axis in 0..3 {
             let (mut least, mut most) = (self.least[axis][0], self.most[axis][0]);
@@ -142,7 +140,7 @@ impl<S: Lane> Surface<S> {
     /// An arm of NaN, which no lamp reaches, changes no bound: of it and a number the second is
     /// taken.
     #[inline(always)]
-    fn fill<L: Lanes<Scalar = S>, F: Form<S>>(
+    fn fill<L: Lanes<Scalar = S>, F: Form<L>>(
         &mut self,
         form: F,
         rays: &Rays<L>,

@@ -1,8 +1,8 @@
 //! The workshop's formulas on eight rays: `reference::textbook`, lane by lane.
 
-use catoptric_scene::{Numerics, TextbookPlane, TextbookSphere};
+use catoptric_scene::Numerics;
 
-use crate::lanes::{Lane, Lanes, Mask};
+use crate::lanes::{Lanes, Mask};
 use crate::nearest::Form;
 use crate::packet::{Distance, Rays};
 use crate::vec3::Vec3;
@@ -10,98 +10,116 @@ use crate::vec3::Vec3;
 /// The workshop's offset.
 const OFFSET: f64 = 1e-4;
 
-/// The nearer positive root of a t^2 + b t + c0 = 0. Without a root both are NaN.
-#[inline(always)]
-pub(crate) fn sphere_distance<L: Lanes>(
-    sphere: &TextbookSphere<L::Scalar>,
-    rays: &Rays<L>,
-) -> Distance<L> {
-    let zero = L::constant(0.0);
-    let from_center = rays.origin - Vec3::splat(sphere.center);
-    let a = rays.direction.dot(rays.direction);
-    let b = L::constant(2.0) * rays.direction.dot(from_center);
-    let c0 = from_center.dot(from_center) - L::splat(sphere.radius * sphere.radius);
-    let root = (b * b - L::constant(4.0) * a * c0).sqrt();
-    let double_a = L::constant(2.0) * a;
-    let minus_b = zero - b;
-    let near = (minus_b - root) / double_a;
-    let far = (minus_b + root) / double_a;
-    let t = near.gt(zero).select(near, far);
-    Distance { t, met: t.gt(zero) }
+/// The constants of `catoptric_scene::TextbookSphere`, in every lane.
+#[derive(Clone, Copy)]
+pub(crate) struct TextbookSphere<L> {
+    center: Vec3<L>,
+    radius_squared: L,
 }
 
-impl<S: Lane> Form<S> for TextbookSphere<S> {
+/// The constants of `catoptric_scene::TextbookPlane`, in every lane.
+#[derive(Clone, Copy)]
+pub(crate) struct TextbookPlane<L> {
+    normal: Vec3<L>,
+    turned: Vec3<L>,
+    offset: L,
+}
+
+impl<L: Lanes> TextbookSphere<L> {
+    #[inline(always)]
+    pub(crate) fn splat(sphere: &catoptric_scene::TextbookSphere<L::Scalar>) -> Self {
+        let radius_squared = L::splat(sphere.radius * sphere.radius);
+        Self { center: Vec3::splat(sphere.center), radius_squared }
+    }
+
+    /// The nearer positive root of a t^2 + b t + c0 = 0. Without a root both are NaN.
+    #[inline(always)]
+    pub(crate) fn met_by(&self, rays: &Rays<L>) -> Distance<L> {
+        let zero = L::constant(0.0);
+        let from_center = rays.origin - self.center;
+        let a = rays.direction.dot(rays.direction);
+        let b = L::constant(2.0) * rays.direction.dot(from_center);
+        let c0 = from_center.dot(from_center) - self.radius_squared;
+        let root = (b * b - L::constant(4.0) * a * c0).sqrt();
+        let double_a = L::constant(2.0) * a;
+        let minus_b = zero - b;
+        let near = (minus_b - root) / double_a;
+        let far = (minus_b + root) / double_a;
+        let t = near.gt(zero).select(near, far);
+        Distance { t, met: t.gt(zero) }
+    }
+}
+
+impl<L: Lanes> TextbookPlane<L> {
+    #[inline(always)]
+    pub(crate) fn splat(plane: &catoptric_scene::TextbookPlane<L::Scalar>) -> Self {
+        Self {
+            normal: Vec3::splat(plane.normal),
+            turned: Vec3::splat(-plane.normal),
+            offset: L::splat(plane.offset),
+        }
+    }
+
+    /// t = (n·point - n·o)/(n·d), where positive.
+    #[inline(always)]
+    pub(crate) fn met_by(&self, rays: &Rays<L>) -> Distance<L> {
+        let t = (self.offset - self.normal.dot(rays.origin)) / self.normal.dot(rays.direction);
+        Distance { t, met: t.gt(L::constant(0.0)) }
+    }
+}
+
+impl<L: Lanes> Form<L> for TextbookSphere<L> {
     const NUMERICS: Numerics = Numerics::Textbook;
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
-    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
-        &self,
-        rays: &Rays<L>,
-        _: Mask<L>,
-    ) -> Option<Distance<L>> {
-        Some(sphere_distance(self, rays))
+    fn distance<const EYE: bool>(&self, rays: &Rays<L>, _: Mask<L>) -> Option<Distance<L>> {
+        Some(self.met_by(rays))
     }
 
     #[inline(always)]
-    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+    fn arm(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         rays.origin + rays.direction * t
     }
 
     /// n = (p - c)/|p - c|.
     #[inline(always)]
-    fn normal<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _: Vec3<L>) -> Vec3<L> {
-        let from_center = point - Vec3::splat(self.center);
+    fn normal(&self, point: Vec3<L>, _: Vec3<L>) -> Vec3<L> {
+        let from_center = point - self.center;
         from_center * (L::constant(1.0) / from_center.length())
     }
 
     /// p + (p - c)·1e-4.
     #[inline(always)]
-    fn start<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, _: Vec3<L>) -> Vec3<L> {
-        point + (point - Vec3::splat(self.center)) * L::constant(OFFSET)
+    fn start(&self, point: Vec3<L>, _: Vec3<L>) -> Vec3<L> {
+        point + (point - self.center) * L::constant(OFFSET)
     }
 }
 
-impl<S: Lane> Form<S> for TextbookPlane<S> {
+impl<L: Lanes> Form<L> for TextbookPlane<L> {
     const NUMERICS: Numerics = Numerics::Textbook;
     const LEFT_BEHIND: bool = false;
 
     #[inline(always)]
-    fn distance<L: Lanes<Scalar = S>, const EYE: bool>(
-        &self,
-        rays: &Rays<L>,
-        _: Mask<L>,
-    ) -> Option<Distance<L>> {
-        Some(plane_distance(self, rays))
+    fn distance<const EYE: bool>(&self, rays: &Rays<L>, _: Mask<L>) -> Option<Distance<L>> {
+        Some(self.met_by(rays))
     }
 
     #[inline(always)]
-    fn arm<L: Lanes<Scalar = S>>(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
+    fn arm(&self, rays: &Rays<L>, t: L) -> Vec3<L> {
         rays.origin + rays.direction * t
     }
 
     /// The normal faces the ray.
     #[inline(always)]
-    fn normal<L: Lanes<Scalar = S>>(&self, _: Vec3<L>, direction: Vec3<L>) -> Vec3<L> {
-        let away = Vec3::splat(self.normal).dot(direction).gt(L::constant(0.0));
-        let turned = Vec3::splat(-self.normal);
-        Vec3::select(away, turned, Vec3::splat(self.normal))
+    fn normal(&self, _: Vec3<L>, direction: Vec3<L>) -> Vec3<L> {
+        let away = self.normal.dot(direction).gt(L::constant(0.0));
+        Vec3::select(away, self.turned, self.normal)
     }
 
     /// p + n·1e-4.
     #[inline(always)]
-    fn start<L: Lanes<Scalar = S>>(&self, point: Vec3<L>, normal: Vec3<L>) -> Vec3<L> {
+    fn start(&self, point: Vec3<L>, normal: Vec3<L>) -> Vec3<L> {
         point + normal * L::constant(OFFSET)
     }
-}
-
-/// t = (n·point - n·o)/(n·d), where positive.
-#[inline(always)]
-pub(crate) fn plane_distance<L: Lanes>(
-    plane: &TextbookPlane<L::Scalar>,
-    rays: &Rays<L>,
-) -> Distance<L> {
-    let normal = Vec3::splat(plane.normal);
-    let t = (L::splat(plane.offset) - normal.dot(rays.origin)) / normal.dot(rays.direction);
-    Distance { t, met: t.gt(L::constant(0.0)) }
 }
