@@ -45,7 +45,7 @@ fn group(criterion: &mut Criterion, name: &str, draft: &Draft, depth: u32) {
     let subject = Subject::checked(&title, &sized(draft, width, height, depth));
     let plan = Plan::new(&subject.compiled, &subject.grid);
     let mut plans = vec![("all-made".to_owned(), plan.clone())];
-    for &omission in &plan.omitted {
+    for omission in plan.omissions.iter() {
         plans.push((format!("without-{}", omission.name()), plan.clone().without(omission)));
     }
     plans.push(("none-made".to_owned(), Plan::everything(&subject.compiled, &subject.grid)));

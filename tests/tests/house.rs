@@ -68,9 +68,9 @@ fn arrows_point_down() {
 }
 
 #[test]
-fn wide_and_unsafe_stand_in_one_file() {
+fn wide_and_unsafe_stand_in_one_folder() {
     for file in sources("crates").into_iter().chain(sources("tests/src")) {
-        if file.ends_with("crates/core/src/lanes.rs") {
+        if file.components().any(|part| part.as_os_str() == "simd") {
             continue;
         }
         for line in code(&file) {

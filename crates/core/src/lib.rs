@@ -1,43 +1,33 @@
 //! The packet engine: eight rays at a time, no recursion, the recursion's bits; in f32, or in
 //! f64.
 //!
-//! Start with `packet`, the loop; then what it calls, in that order: `nearest`, `shade`
-//! with `surfaces`, `occluders` and `light`, `wave`, `stack`; then the shapes, which stand here under the
-//! same names as in the reference. `plan` says what is left out, `plane` how a wave's numbers lie in
-//! memory, `output` what becomes of the colours. `lanes` is the only file that knows what eight
-//! lanes are made of.
+//! Folders, from the top down; each sees those below it alone:
+//!
+//! - [`render`] and `engine`: bands of tiles on threads; `plan`: what is left out; `watch` and `survey`:
+//!   what those who study the engine ask of it.
+//! - `trace`: the packet loop, shading, shadows and the stack. Start with `trace/wavefront.rs`.
+//! - `cull`: bounds on what a tile's eye rays and shadow rays can meet.
+//! - `shape`: where rays meet a sphere or a plane.
+//! - `ray`: rays in columns, queues and compaction.
+//! - `simd`: eight lanes on every instruction set; the only folder with intrinsics and unsafe code.
 
-mod ball;
-mod cut;
-mod flat;
-mod holders;
-mod isa;
-mod lanes;
-mod light;
-mod nearest;
-mod nested;
-mod occluders;
-mod output;
-mod packet;
+mod cull;
+mod engine;
+mod omission;
 mod plan;
-mod plane;
-mod power;
-mod render;
-mod shade;
-mod sight;
-mod singles;
-mod stack;
-mod surfaces;
-mod textbook;
-mod tile;
-mod vec3;
+mod ray;
+mod settings;
+mod shape;
+mod simd;
+mod survey;
+mod trace;
 pub mod watch;
-mod wave;
 
-pub use isa::Isa;
-pub use occluders::cone_bytes;
-pub use plan::{Features, Omission, Plan, TileCandidates, occluders, tile_candidates};
-pub use render::{
-    PacketScalar, Settings, StackFull, render, render_levels, render_levels_planned, render_planned,
-};
-pub use stack::RAY_LEVEL_BYTES;
+pub use cull::cone_bytes;
+pub use engine::{PacketScalar, render, render_levels, render_levels_planned, render_planned};
+pub use omission::{Omission, Omissions};
+pub use plan::{Features, Plan};
+pub use settings::{Settings, StackFull};
+pub use simd::Isa;
+pub use survey::{TileCandidates, occluders, tile_candidates};
+pub use trace::RAY_BOUNCE_BYTES;

@@ -4,14 +4,12 @@
 
 use catoptric_scene::{Compiled, Phong, Scalar};
 
-use crate::lanes::{self, Lane};
-use crate::nested;
-use crate::occluders::Occluders;
-use crate::packet::{Candidates, NONE, Omit, TooDeep, Work, World, wave_of};
-use crate::render::{Settings, StackFull};
-use crate::stack::{Budget, Stack};
-use crate::tile::Tile;
-use crate::vec3::Packed;
+use crate::omission::Omissions;
+use crate::plan::nested;
+use crate::ray::{NONE, queue_of};
+use crate::settings::{Settings, StackFull};
+use crate::simd::{self, Lane, Packed};
+use crate::trace::{Budget, Frame, Observe, Scratch, Stack, Tile, TooDeep};
 
 /// A level on the way down.
 #[derive(Clone, Copy, Debug)]
@@ -64,18 +62,8 @@ pub fn watch(
     watch: &mut dyn Watch,
 ) -> Result<[f32; 3], StackFull> {
     let budget = Budget::new(settings.stack_limit);
-    let all = nested::all(scene);
-    let occluders = Occluders::new(scene, &all).with_cones(&scene.lights, 1);
-    let world = World {
-        scene,
-        candidates: Candidates { eye: &all, mirrors: &all },
-        occluders: &occluders,
-        hidden: &[],
-        depth: scene.max_depth,
-        omit: Omit { occluders: false, directions: false, shadows: false },
-    };
-    let (mut work, mut stack) =
-        (Work::new(scene, occluders.len()), Stack::new(&budget, scene.max_depth));
+    let frame = Frame::new(scene, nested::all(scene), 1, scene.max_depth, Omissions::NONE);
+    let mut scratch = Scratch::new(&frame, &budget);
     let cut = scene.min_weight > 0.0;
     let mut watcher = Watcher {
         watch,
@@ -85,23 +73,23 @@ pub fn watch(
         owed: None,
     };
     let tile = Tile {
-        world,
+        frame: &frame,
+        candidates: frame.tiles.all(),
         samples: 1,
         columns: &[column],
         rows: &[row],
-        work: &mut work,
-        stack: &mut stack,
-        watch: Some(&mut watcher),
+        scratch: &mut scratch,
+        observer: Some(&mut watcher),
     };
-    match lanes::run(settings.isa, tile) {
-        Ok(_) => Ok(stack.eye_colours().ray(0)),
+    match simd::run(settings.isa, tile) {
+        Ok(_) => Ok(scratch.stack.eye_colours().ray(0)),
         Err(TooDeep) => Err(StackFull { limit: settings.stack_limit }),
     }
 }
 
 /// Shows what happens in the packet loop to [`Watch`]. A ray alone stays in the first lane of
 /// the first packet.
-pub(crate) struct Watcher<'a, S: Scalar> {
+struct Watcher<'a, S: Scalar> {
     watch: &'a mut dyn Watch<S>,
     materials: &'a [Phong<S>],
     background: [S; 3],
@@ -111,44 +99,46 @@ pub(crate) struct Watcher<'a, S: Scalar> {
     owed: Option<Fold<S>>,
 }
 
-impl<S: Lane> Watcher<'_, S> {
-    /// A level has been traced; the next one has so many packets.
+impl<S: Lane> Observe<S> for Watcher<'_, S> {
     #[cold]
-    pub(crate) fn level(&mut self, work: &Work<S>, stack: &Stack<S>, next: usize) {
-        let wave = &work.waves[wave_of(stack.depth())];
-        let (index, distance) =
-            (work.nearest.index.ray(0).to_index(), work.nearest.distance.ray(0));
-        let (origin, direction) = wave.ray(0);
+    fn bounce(&mut self, scratch: &Scratch<S>, next: usize) {
+        let stack = &scratch.stack;
+        let queue = &scratch.queues[queue_of(stack.bounce())];
+        let nearest = &scratch.nearest;
+        let (index, distance) = (nearest.index.ray(0).to_index(), nearest.distance.ray(0));
+        let (origin, direction) = queue.ray(0);
         self.watch.level(Level {
             origin,
             direction,
-            weight: if self.cut { Some(wave.weights().ray(0)) } else { None },
+            weight: if self.cut { Some(queue.weights().ray(0)) } else { None },
             met: (index != NONE).then_some((index, distance)),
-            local: match stack.level() {
+            local: match stack.pending() {
                 [hit, ..] => first_lane(&hit.local),
                 [] => self.background,
             },
-            k: if next > 0 { stack.level()[0].owed[0].k(self.materials) } else { S::ZERO },
+            k: if next > 0 {
+                stack.pending()[0].slots[0].reflectance(self.materials)
+            } else {
+                S::ZERO
+            },
         });
     }
 
-    /// The level in flight is about to be taken off the stack.
     #[cold]
-    pub(crate) fn before_fold(&mut self, stack: &Stack<S>) {
-        let local = match stack.level() {
-            [mirror, ..] if !mirror.owed[0].is_end() => first_lane(&mirror.local),
+    fn before_fold(&mut self, stack: &Stack<S>) {
+        let local = match stack.pending() {
+            [mirror, ..] if !mirror.slots[0].is_end() => first_lane(&mirror.local),
             _ => return,
         };
-        let back = stack.colours(stack.depth() + 1).ray(0);
-        let k = stack.level()[0].owed[0].k(self.materials);
+        let back = stack.colours(stack.bounce() + 1).ray(0);
+        let k = stack.pending()[0].slots[0].reflectance(self.materials);
         self.owed = Some(Fold { local, k, back, colour: local });
     }
 
-    /// It has been.
     #[cold]
-    pub(crate) fn after_fold(&mut self, stack: &Stack<S>) {
+    fn after_fold(&mut self, stack: &Stack<S>) {
         if let Some(owed) = self.owed.take() {
-            self.watch.fold(Fold { colour: stack.colours(stack.depth()).ray(0), ..owed });
+            self.watch.fold(Fold { colour: stack.colours(stack.bounce()).ray(0), ..owed });
         }
     }
 }

@@ -168,11 +168,11 @@ pub const RUNGS: [Rung; 6] = [
     Rung::new(
         "r5",
         "the engine",
-        file!("crates/core/src/packet.rs"),
+        file!("crates/core/src/trace/wavefront.rs"),
         r5_engine::render,
         r5_engine::watch,
     )
-    .keeping(catoptric_core::RAY_LEVEL_BYTES),
+    .keeping(catoptric_core::RAY_BOUNCE_BYTES),
 ];
 
 /// The aside: the sum carried along. Its ray returns once, from the deepest level.

@@ -29,7 +29,7 @@ const LONG: f64 = 0.5;
 /// A path too deep for the engine's stack.
 pub fn savings(scene: &Compiled, grid: &Grid, isa: Isa) -> Result<Vec<Saving>, TooDeep> {
     let plan = Plan::new(scene, grid);
-    let without = plan.omitted.iter().map(|&omission| plan.clone().without(omission));
+    let without = plan.omissions.iter().map(|omission| plan.clone().without(omission));
     let plans: Vec<Plan> = std::iter::once(plan.clone()).chain(without).collect();
     let mut film = Film::new(grid.width, grid.height);
     let settings = Settings { isa, stack_limit: STACK_LIMIT };
@@ -51,10 +51,10 @@ pub fn savings(scene: &Compiled, grid: &Grid, isa: Isa) -> Result<Vec<Saving>, T
     let times = in_turn(plans.len(), Repeat::Times(rounds), &Unwatched, |i| trace(&plans[i]));
     let least: Option<Vec<f64>> = times.iter().map(|times| times.min_ms()).collect();
     let least = least.ok_or(TooDeep)?;
-    let share = |(&omission, &other): (&Omission, &f64)| {
+    let share = |(omission, &other): (Omission, &f64)| {
         // A picture of next to nothing may take no time that the clock tells.
         let share = if other > 0.0 { 1.0 - least[0] / other } else { 0.0 };
         Saving { omission, share }
     };
-    Ok(plan.omitted.iter().zip(&least[1..]).map(share).collect())
+    Ok(plan.omissions.iter().zip(&least[1..]).map(share).collect())
 }

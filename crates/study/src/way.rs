@@ -44,7 +44,7 @@ impl Way {
             Self::Everything(isa) => packets(isa, &Plan::everything(scene, grid), film),
             Self::Omitting(isa, omissions) => {
                 let mut plan = Plan::new(scene, grid);
-                plan.omitted.retain(|omission| omissions.contains(omission));
+                plan.omissions = plan.omissions.iter().filter(|o| omissions.contains(o)).collect();
                 packets(isa, &plan, film)
             }
             Self::Rung(rung, isa) => {

@@ -72,7 +72,7 @@ pub(super) struct Used {
 
 impl Planned {
     pub(super) fn of(plan: &Plan, film: bool) -> Self {
-        let omitted = plan.omitted.iter().map(|omission| omission.name()).collect();
+        let omitted = plan.omissions.iter().map(|omission| omission.name()).collect();
         let features = plan.features;
         let features = Used {
             balls: features.balls,

@@ -69,6 +69,14 @@ impl<S: Scalar> Power<S> {
 }
 
 impl<S: Scalar> Phong<S> {
+    /// Whether it sends back no light of a lamp: neither diffusely nor as a highlight.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_unlit(&self) -> bool {
+        let [r, g, b] = self.diffuse.into();
+        self.specular == S::ZERO && r == S::ZERO && g == S::ZERO && b == S::ZERO
+    }
+
     pub(super) fn new(material: &Material, ambient: [f64; 3]) -> Self {
         Self {
             ambient: colour::<S>(std::array::from_fn(|i| ambient[i] * material.color[i])),

@@ -1,0 +1,17 @@
+//! Eight lanes on every instruction set. All of `wide`, all intrinsics and all unsafe code stand here.
+
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+mod bits;
+mod dispatch;
+mod isa;
+mod lanes;
+mod portable;
+mod power;
+mod vec3;
+
+pub(crate) use dispatch::{Kernel, run};
+pub use isa::Isa;
+pub(crate) use lanes::{LANES, Lane, Lanes, Mask};
+pub(crate) use power::power;
+pub(crate) use vec3::{Packed, Vec3, in_f64};
