@@ -14,9 +14,16 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("catoptric-reference", &["catoptric-scene"]),
     ("catoptric-core", &["catoptric-scene"]),
     ("catoptric-ladder", &["catoptric-core", "catoptric-reference", "catoptric-scene"]),
+    ("catoptric-report", &[]),
     (
         "catoptric-study",
-        &["catoptric-core", "catoptric-ladder", "catoptric-reference", "catoptric-scene"],
+        &[
+            "catoptric-core",
+            "catoptric-ladder",
+            "catoptric-reference",
+            "catoptric-report",
+            "catoptric-scene",
+        ],
     ),
     (
         "catoptric-cli",
@@ -24,6 +31,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "catoptric-core",
             "catoptric-ladder",
             "catoptric-reference",
+            "catoptric-report",
             "catoptric-scene",
             "catoptric-study",
         ],
@@ -34,8 +42,8 @@ const ARROWS: &[(&str, &[&str])] = &[
         &[
             "catoptric-core",
             "catoptric-reference",
+            "catoptric-report",
             "catoptric-scene",
-            "catoptric-study",
             "catoptric-tests",
         ],
     ),

@@ -15,7 +15,7 @@ use catoptric_benches::history::measure::{self, Occasion, THREADS};
 use catoptric_benches::history::rule::{self, Verdict};
 use catoptric_benches::history::{commit, table};
 use catoptric_core::Isa;
-use catoptric_study::occasion;
+use catoptric_report::occasion;
 use catoptric_tests::scenes::root;
 
 const USAGE: &str = "usage: history record [FILE] | history check [FILE]";

@@ -6,9 +6,8 @@ mod subjects;
 
 use std::ffi::OsString;
 
+use catoptric_report::{Occasion, Report};
 use catoptric_scene::is_visible;
-use catoptric_study::occasion::Occasion;
-use catoptric_study::report::Report;
 use catoptric_study::subject::Subject;
 use catoptric_study::tracer::{Threads, Tracer};
 use catoptric_study::way::Way;
@@ -45,7 +44,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let subjects = subjects::load(&common.scenes)?;
     let destination = Destination::new(common, options.study.name())?;
     let command = command_line(std::env::args_os());
-    let made = Occasion::now(isa, threads, command);
+    let made = Occasion::now(isa.name(), threads, command);
     let pools = pools([1, threads])?;
 
     let watch = Signals { quiet: common.quiet };

@@ -10,11 +10,11 @@ mod row;
 mod waterfall;
 
 use catoptric_core::Isa;
+use catoptric_report::{Report, Table};
 use catoptric_scene::{Compiled, Grid, View};
 
 use crate::Watch;
 use crate::checked::{Difference, Group, check_then_time};
-use crate::report::{Report, Table};
 use crate::subject::Subject;
 use crate::timing::{Repeat, noise};
 use crate::tracer::Threads;

@@ -16,8 +16,9 @@ mod sweep;
 mod truth;
 mod words;
 
+use catoptric_report::{Report, Table};
+
 use crate::Watch;
-use crate::report::{Report, Table};
 use crate::subject::Subject;
 use crate::timing::{Repeat, noise};
 use crate::tracer::{Threads, Tracer};

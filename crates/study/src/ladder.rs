@@ -8,12 +8,12 @@ mod table;
 use catoptric_core::{Isa, Settings};
 use catoptric_ladder::{FORWARD, RUNGS, Rung, native_stack};
 use catoptric_reference::path::{eye_ray, follow};
+use catoptric_report::{Report, Table};
 use catoptric_scene::{Compiled, Film, Grid, View};
 use rayon::prelude::*;
 
 use crate::Watch;
 use crate::metrics::differing_pixels;
-use crate::report::{Report, Table};
 use crate::subject::Subject;
 use crate::timing::{Repeat, Times, in_turn};
 use crate::tracer::{STACK_LIMIT, Threads};

@@ -1,12 +1,9 @@
 //! Studies: what accuracy costs, what depth costs, where the numerics hold.
 //!
 //! A study is a sweep plus a caption: it measures rows and says what they show. All studies
-//! fill the same [`report::Report`], which is written as JSON, CSV, Markdown and one HTML page.
+//! fill the same [`catoptric_report::Report`], which takes every format there.
 //!
 //! ```text
-//! report.rs       what a study found: tables, plots, pictures, words
-//!   report/         one file for each format it is written in
-//! occasion.rs     where, when and with what it was measured
 //! metrics.rs      how far one picture is from another
 //! subject.rs      scenes that a study is made of
 //! tracer.rs       who traces, on how many threads
@@ -32,9 +29,7 @@ pub mod formula;
 pub mod ladder;
 pub mod light;
 pub mod metrics;
-pub mod occasion;
 pub mod omissions;
-pub mod report;
 pub mod stability;
 pub mod subject;
 pub mod timing;

@@ -45,8 +45,9 @@ pub mod suite;
 
 use suite::{EXPERIMENTS, Effort, Verdict, verdict};
 
+use catoptric_report::Report;
+
 use crate::Watch;
-use crate::report::Report;
 use crate::subject::Subject;
 
 /// The suite, or, where scenes are given, its measures of pictures and paths on these.

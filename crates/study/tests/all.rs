@@ -1,5 +1,5 @@
 //! The studies without their clocks: every case of the stability suite with its bound, the
-//! measures that follow paths, every format of a report.
+//! measures that follow paths.
 
 mod agreement;
 mod amplification;
@@ -9,8 +9,6 @@ mod depth;
 mod error;
 mod input;
 mod light;
-mod occasion;
-mod report;
 mod scenes;
 mod search;
 mod stability;

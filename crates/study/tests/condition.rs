@@ -1,8 +1,8 @@
 //! The condition map.
 
+use catoptric_report::Cell;
 use catoptric_scene::{Image, Material, Plane, View};
 use catoptric_study::formula::U;
-use catoptric_study::report::Cell;
 use catoptric_study::stability::condition::{
     Condition, FACTOR, Foretold, REACH, condition, foretold, pictures, table,
 };

@@ -2,12 +2,12 @@
 
 use catoptric_core::{Isa, tile_candidates};
 use catoptric_ladder::{FORWARD, RUNGS, Rung};
+use catoptric_report::{Cell, Report};
 use catoptric_scene::family::Room;
 use catoptric_scene::{Compiled, Draft, Grid, Scene, View};
 use catoptric_study::Unwatched;
 use catoptric_study::checked::Difference;
 use catoptric_study::depth::{Mismatch, Request, run};
-use catoptric_study::report::{Cell, Report};
 use catoptric_study::subject::Subject;
 use catoptric_study::timing::Repeat;
 use catoptric_study::tracer::{Threads, Tracer};

@@ -3,11 +3,11 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use catoptric_core::Isa;
+use catoptric_report::{Cell, Report};
 use catoptric_scene::family::{Kissing, Room};
 use catoptric_scene::{Draft, Light, Material, Numerics, Scene, Sphere, Transfer};
 use catoptric_study::error::{Request, Settled, enough, on_front, run};
 use catoptric_study::metrics::Metrics;
-use catoptric_study::report::{Cell, Report};
 use catoptric_study::subject::Subject;
 use catoptric_study::timing::Repeat;
 use catoptric_study::tracer::{Threads, Tracer};

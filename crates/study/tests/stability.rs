@@ -4,10 +4,10 @@
 
 use std::collections::BTreeSet;
 
+use catoptric_report::{Cell, Report};
 use catoptric_scene::family::Room;
 use catoptric_scene::{Document, Scene, SceneFormat};
 use catoptric_study::formula::Formula;
-use catoptric_study::report::{Cell, Report};
 use catoptric_study::stability::backward::{ALLOWED, Judge};
 use catoptric_study::stability::bounds::GROUPS;
 use catoptric_study::stability::run;
@@ -209,7 +209,7 @@ fn subject(name: &str, scene: Scene) -> Subject {
     Subject { name: name.to_owned(), scene }
 }
 
-fn first_table(report: &Report) -> &catoptric_study::report::Table {
+fn first_table(report: &Report) -> &catoptric_report::Table {
     report.tables().next().expect("a table")
 }
 

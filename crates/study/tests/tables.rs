@@ -1,6 +1,6 @@
 //! Reading a report's tables.
 
-use catoptric_study::report::{Block, Cell, Report, Table};
+use catoptric_report::{Block, Cell, Report, Table};
 
 pub(crate) fn table<'a>(report: &'a Report, name: &str) -> &'a Table {
     report.tables().find(|table| table.name == name).expect("a table of that name")

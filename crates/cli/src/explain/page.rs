@@ -6,8 +6,8 @@ mod steps;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use catoptric_core::{Isa, Settings, render_levels};
+use catoptric_report::escaped;
 use catoptric_scene::{Compiled, Grid, Scene, View};
-use catoptric_study::report::escaped;
 use catoptric_study::tracer::STACK_LIMIT;
 
 use super::Pixel;

@@ -6,8 +6,7 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use catoptric_study::occasion::Occasion;
-use catoptric_study::report::{self, Report};
+use catoptric_report::{Occasion, Report};
 
 use super::options::{Common, Study};
 use crate::exit::{Failure, say};
@@ -79,7 +78,7 @@ impl Destination {
     /// Exit code 4.
     pub(super) fn write(&self, report: &Report, made: &Occasion) -> Result<(), Failure> {
         if let Some(folder) = &self.folder {
-            let files = report::files(report, made);
+            let files = catoptric_report::files(report, made);
             let staged = files.iter().map(|file| {
                 Target::file(&folder.join(&file.name))?.stage(|to| to.write_all(&file.bytes))
             });
@@ -99,9 +98,9 @@ impl Destination {
             }
         }
         let text = if self.json {
-            report::document(report, made)
+            catoptric_report::document(report, made)
         } else if self.folder.is_none() {
-            report::summary(report, made, false)
+            catoptric_report::summary(report, made, false)
         } else {
             return Ok(());
         };

@@ -1,12 +1,12 @@
 //! What happens at each depth: rays, hits, and how many of eight still live.
 
 use catoptric_reference::path::{eye_ray, follow};
+use catoptric_report::{Column, Plot, Report, Scale, Series, Table};
 use catoptric_scene::{Compiled, Counts, DepthCount, Grid, View};
 use rayon::prelude::*;
 
 use super::packing::Lengths;
 use super::{Request, Row};
-use crate::report::{Column, Plot, Report, Scale, Series, Table};
 use crate::subject::Subject;
 
 const COLUMNS: &[Column] = &[

@@ -1,7 +1,8 @@
 //! Curves over depth.
 
+use catoptric_report::{Plot, Report, Scale, Series};
+
 use super::Row;
-use crate::report::{Plot, Report, Scale, Series};
 
 /// Adds time and time per ray against depth.
 pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {

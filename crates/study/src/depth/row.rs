@@ -1,9 +1,9 @@
 //! One engine on one scene to one depth.
 
+use catoptric_report::{Cell, Column, Table};
 use catoptric_scene::Counts;
 
 use crate::checked::Outcome;
-use crate::report::{Cell, Column, Table};
 use crate::timing::Times;
 use crate::tracer::Tracer;
 use crate::way::Way;

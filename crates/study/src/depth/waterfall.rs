@@ -1,12 +1,12 @@
 //! Where the speed comes from: one change at a time, from the recursion to the engine.
 
 use catoptric_core::{Isa, Omission, Plan};
+use catoptric_report::{Column, Report, Table};
 use catoptric_scene::{Compiled, Grid, View};
 
 use super::{Mismatch, Request};
 use crate::Watch;
 use crate::checked::{Group, check_then_time, rung};
-use crate::report::{Column, Report, Table};
 use crate::subject::Subject;
 use crate::timing::noise;
 use crate::tracer::{Threads, Tracer};

@@ -1,11 +1,11 @@
 //! What is left where nothing is left out.
 
+use catoptric_report::{Column, Table};
 use catoptric_scene::Scene;
 
 use crate::Watch;
 use crate::formula::Formula;
 use crate::metrics::Metrics;
-use crate::report::{Column, Table};
 use crate::stability::backward::{Backward, Judge};
 
 /// What a formula leaves at full depth.

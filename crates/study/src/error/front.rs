@@ -1,9 +1,10 @@
 //! Which settings are worth their time.
 
+use catoptric_report::Cell;
+
 use super::row::{Row, Sweep};
 use crate::formula::Formula;
 use crate::metrics::Metrics;
-use crate::report::Cell;
 
 /// Which of these (time, error) no other beats, being as good in one and better in the other.
 /// Never a failure, which has none.

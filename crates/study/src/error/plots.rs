@@ -1,8 +1,9 @@
 //! Work-precision diagrams.
 
+use catoptric_report::{Plot, Report, Scale, Series};
+
 use super::row::{Parts, Row, Sweep};
 use crate::formula::Formula;
-use crate::report::{Plot, Report, Scale, Series};
 
 /// Adds a scene's plots.
 pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {

@@ -1,8 +1,9 @@
 //! One setting of one knob with one formula.
 
+use catoptric_report::{Cell, Column, Table};
+
 use crate::formula::Formula;
 use crate::metrics::Metrics;
-use crate::report::{Cell, Column, Table};
 use crate::timing::Times;
 
 /// What is varied.

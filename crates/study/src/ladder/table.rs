@@ -1,9 +1,9 @@
 //! What the ladder's study says: a row a rung, and a sentence or two a scene.
 
 use catoptric_ladder::FORWARD;
+use catoptric_report::{Cell, Column, Table};
 
 use super::{Climbed, Row};
-use crate::report::{Cell, Column, Table};
 
 pub(super) const COLUMNS: &[Column] = &[
     Column { key: "scene", heading: "scene", meaning: "The scene's name." },

@@ -1,9 +1,9 @@
 //! Path agreement: how many paths still meet the primitives that truth's path meets.
 
+use catoptric_report::{Cell, Column, Plot, Scale, Series, Table};
 use catoptric_scene::{Scene, View};
 
 use super::paths::{Arithmetic, Paths, each_pixel, parting};
-use crate::report::{Cell, Column, Plot, Scale, Series, Table};
 
 /// Whose paths are compared with those of double-double.
 pub const COMPARED: [Arithmetic; 4] =

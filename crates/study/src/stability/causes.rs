@@ -2,11 +2,11 @@
 //! path that flipped. One flipped pixel owns the maximum, so the two are told apart.
 
 use catoptric_reference::truth::Vertex;
+use catoptric_report::{Column, Table};
 use catoptric_scene::{Scene, View};
 
 use super::paths::{Arithmetic, Paths, each_pixel};
 use crate::metrics::Metrics;
-use crate::report::{Column, Table};
 
 /// Why a pixel is not truth's: the first thing, from the eye on, in which its path differs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -18,13 +18,13 @@
 mod shade;
 
 use catoptric_reference::truth::{Precision, TooDeep, Truth};
+use catoptric_report::{Cell, Column, Picture, Table};
 use catoptric_scene::{Scene, View};
 use glam::DVec3;
 
 use super::paths::each_pixel;
 use crate::formula::U;
 use crate::metrics::{Metrics, difference, larger};
-use crate::report::{Cell, Column, Picture, Table};
 
 /// How many u of nudge an edge is looked for in, as in the backward ratio.
 pub const REACH: f64 = 4.0;

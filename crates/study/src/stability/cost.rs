@@ -5,11 +5,11 @@
 use std::time::Instant;
 
 use catoptric_core::Isa;
+use catoptric_report::{Column, Table};
 use catoptric_scene::{Compiled, Film, Grid, View};
 
 use super::cases::scenes::workshop;
 use crate::formula::Formula;
-use crate::report::{Column, Table};
 use crate::tracer::Tracer;
 use crate::way::Way;
 

@@ -1,13 +1,13 @@
 //! Crops of truth, result and difference, of the instructive cases.
 
 use catoptric_reference::truth::{Precision, Truth};
+use catoptric_report::Picture;
 use catoptric_scene::family::Room;
 use catoptric_scene::{Document, Draft, Quantiser, SceneFormat, Transfer, View};
 
 use super::cases::scenes::{sized, workshop};
 use super::generic::placed;
 use crate::formula::Formula;
-use crate::report::Picture;
 
 const TINY_FAR: &str = include_str!("../../../../scenes/tiny-far.toml");
 

@@ -2,6 +2,7 @@
 //! errors are due to, what the input's rounding costs, and how far each pixel can be known.
 
 use catoptric_reference::truth::{Precision, TooDeep, Truth};
+use catoptric_report::{Picture, Plot, Report};
 use catoptric_scene::family::{Kissing, Room};
 use catoptric_scene::{Scene, View};
 
@@ -11,7 +12,6 @@ use super::condition::{self, AMPLIFIED, Foretold, MOVED};
 use super::input::{self, InputRounding};
 use crate::Watch;
 use crate::formula::Formula;
-use crate::report::{Picture, Plot, Report};
 use crate::subject::Subject;
 
 /// What was found of all scenes.

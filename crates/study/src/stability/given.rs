@@ -2,12 +2,12 @@
 //!
 //! The robust formulas are held to it, the textbook's are only measured.
 
+use catoptric_report::{Cell, Column, Table};
 use catoptric_scene::Scene;
 
 use super::backward::{Backward, Judge, passes};
 use super::cases::edges::{brightest, outside};
 use crate::formula::Formula;
-use crate::report::{Cell, Column, Table};
 
 const COLUMNS: &[Column] = &[
     Column { key: "scene", heading: "scene", meaning: "as it was named" },

@@ -1,10 +1,10 @@
 //! What rounding the input costs, apart from the computation.
 
 use catoptric_reference::truth::{Precision, TooDeep, Truth};
+use catoptric_report::{Column, Table};
 use catoptric_scene::{Draft, Scene, SceneError, View};
 
 use crate::metrics::Metrics;
-use crate::report::{Column, Table};
 
 /// The error of a picture in two parts. They need not add up: the robust forms are compiled
 /// from the unrounded numbers, and may be nearer to truth than to the truth of rounded ones.

@@ -1,10 +1,11 @@
 //! The suite's findings as rows: verdicts in one table; in another, in words, what the cases
 //! are, so that lines stay short.
 
+use catoptric_report::{Cell, Column, Table};
+
 use super::cases::refusals::Refusal;
 use super::suite::{Finding, held_to, verdict};
 use crate::formula::Formula;
-use crate::report::{Cell, Column, Table};
 
 const COLUMNS: &[Column] = &[
     Column { key: "case", heading: "case", meaning: "its name in the table of bounds" },

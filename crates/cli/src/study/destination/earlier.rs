@@ -8,7 +8,7 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
 
-use catoptric_study::report::{SCHEMA, Sum};
+use catoptric_report::{SCHEMA, Sum};
 use serde::Deserialize;
 
 use super::is_of_a_report;

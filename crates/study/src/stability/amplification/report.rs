@@ -1,7 +1,8 @@
 //! Growth as rows and curves.
 
+use catoptric_report::{Cell, Column, Plot, Scale, Series, Table};
+
 use super::Growth;
-use crate::report::{Cell, Column, Plot, Scale, Series, Table};
 use crate::stability::paths::Arithmetic;
 
 const COLUMNS: &[Column] = &[

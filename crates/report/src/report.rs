@@ -1,23 +1,8 @@
 //! What a study found, before it takes any format.
 
-mod csv;
-mod files;
-mod html;
-mod json;
-mod markdown;
-mod picture;
-mod plot;
-mod png;
-mod svg;
-mod table;
-
-pub use files::{File, Sum, files};
-pub use html::escaped;
-pub use json::{SCHEMA, document};
-pub use markdown::summary;
-pub use picture::Picture;
-pub use plot::{Plot, Scale, Series};
-pub use table::{Cell, Column, Table};
+use crate::picture::Picture;
+use crate::plot::Plot;
+use crate::table::Table;
 
 /// What a study found, in the order in which it is read.
 #[derive(Clone, Debug)]

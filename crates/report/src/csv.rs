@@ -1,10 +1,10 @@
 //! A table as CSV (RFC 4180): a line of keys, then a line a row.
 
-use super::{Cell, Table};
+use crate::table::{Cell, Table};
 
 /// The file's bytes. Numbers have all their digits; what was not measured is empty.
 #[must_use]
-pub(super) fn file(table: &Table) -> Vec<u8> {
+pub(crate) fn file(table: &Table) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let expected = "a writer to memory with rows of one length does not fail";
     writer.write_record(table.columns.iter().map(|column| column.key)).expect(expected);

@@ -14,7 +14,8 @@ use kuva::render::plots::Plot as Layer;
 use kuva::render::render::render_multiple;
 use kuva::render::theme::Theme;
 
-use super::{Plot, Scale, Series};
+use crate::escape::escaped;
+use crate::plot::{Plot, Scale, Series};
 
 /// Colours that people with any vision tell apart (Okabe and Ito, Color Universal Design,
 /// 2008; its yellow and black left out, which a white or a dark page swallows), and marks
@@ -42,7 +43,7 @@ const SMALLEST: f64 = 1e-10;
 /// # Panics
 /// If it has more curves than there are colours.
 #[must_use]
-pub(super) fn drawing(plot: &Plot) -> String {
+pub(crate) fn drawing(plot: &Plot) -> String {
     assert!(plot.series.len() <= STYLES.len(), "{}: too many curves for one plot", plot.name);
     let mut drawable: Vec<_> = plot.series.iter().map(|series| points(plot, series)).collect();
     let tiny = plot.y_scale == Scale::Log && drawable.iter().flatten().any(|(_, y)| *y < SMALLEST);
@@ -95,7 +96,7 @@ pub(super) fn drawing(plot: &Plot) -> String {
 
 /// The drawing as a file of its own, which states its colours itself.
 #[must_use]
-pub(super) fn file(plot: &Plot) -> String {
+pub(crate) fn file(plot: &Plot) -> String {
     let style = "<style>svg{color:#1f2328;background:#fff}\
         @media(prefers-color-scheme:dark){svg{color:#e6edf3;background:#0d1117}}</style>";
     drawing(plot).replacen('>', &format!(">{style}"), 1) + "\n"
@@ -134,7 +135,7 @@ fn points(plot: &Plot, series: &Series) -> Vec<(f64, f64)> {
 
 /// Nothing was measured that the axes could show.
 fn empty(plot: &Plot) -> String {
-    let title = super::html::escaped(&plot.title);
+    let title = escaped(&plot.title);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"60\" \
          font-family=\"sans-serif\" fill=\"currentColor\"><text x=\"20\" y=\"35\">{title}: \

@@ -4,8 +4,13 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::{Block, Cell, Picture, Plot, Report, Table, png, svg};
+use crate::escape::escaped;
 use crate::occasion::Occasion;
+use crate::picture::Picture;
+use crate::plot::Plot;
+use crate::report::{Block, Report};
+use crate::table::{Cell, Column, Table};
+use crate::{png, svg};
 
 const STYLE: &str = include_str!("page.css");
 
@@ -14,7 +19,7 @@ const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src dat
 
 /// The page.
 #[must_use]
-pub(super) fn page(report: &Report, made: &Occasion) -> String {
+pub(crate) fn page(report: &Report, made: &Occasion) -> String {
     let title = escaped(&report.title);
     let body: String = report.blocks.iter().map(block).collect();
     let interrupted = if report.complete {
@@ -46,7 +51,7 @@ fn block(block: &Block) -> String {
 }
 
 fn table(table: &Table) -> String {
-    let heading = |column: &super::Column| {
+    let heading = |column: &Column| {
         let (meaning, heading) = (escaped(column.meaning), escaped(column.heading));
         format!("<th title=\"{meaning}\">{heading}</th>")
     };
@@ -93,21 +98,4 @@ fn picture(picture: &Picture) -> String {
         "<figure><img alt=\"{caption}\" width=\"{width}\" height=\"{height}\" \
          src=\"data:image/png;base64,{data}\"><figcaption>{caption}</figcaption></figure>\n"
     )
-}
-
-/// Text that HTML and XML take for nothing but text.
-#[must_use]
-pub fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            other => safe.push(other),
-        }
-    }
-    safe
 }

@@ -6,8 +6,11 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::{Block, Cell, Column, Plot, Report, Series, Sum, Table};
 use crate::occasion::Occasion;
+use crate::plot::{Plot, Series};
+use crate::report::{Block, Report};
+use crate::sum::Sum;
+use crate::table::{Cell, Column, Table};
 
 /// What the document says that it is.
 pub const SCHEMA: &str = "catoptric-study";
@@ -22,7 +25,7 @@ pub fn document(report: &Report, made: &Occasion) -> String {
 }
 
 /// The document of a report that is written as these files.
-pub(super) fn written(report: &Report, made: &Occasion, files: &[String], sums: &[Sum]) -> String {
+pub(crate) fn written(report: &Report, made: &Occasion, files: &[String], sums: &[Sum]) -> String {
     let mut tables = report.tables();
     let first = tables.next();
     let document = Document {

@@ -3,14 +3,14 @@
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 
-use super::Picture;
+use crate::picture::Picture;
 
 /// The file's bytes, 8-bit RGB. Equal pictures are equal files.
 ///
 /// # Panics
 /// If the picture's pixels are not as many as it says.
 #[must_use]
-pub(super) fn file(picture: &Picture) -> Vec<u8> {
+pub(crate) fn file(picture: &Picture) -> Vec<u8> {
     let Picture { pixels, width, height, .. } = picture;
     assert_eq!(pixels.len(), *width as usize * *height as usize, "{}: its size", picture.name);
     let mut bytes = Vec::new();

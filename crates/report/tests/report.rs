@@ -1,9 +1,8 @@
 //! One report in every format.
 
-use catoptric_core::Isa;
-use catoptric_study::occasion::Occasion;
-use catoptric_study::report::{
-    self, Cell, Column, Picture, Plot, Report, Scale, Series, Table, files,
+use catoptric_report::{
+    Cell, Column, Occasion, Picture, Plot, Report, Scale, Series, Sum, Table, document, files,
+    summary,
 };
 
 const COLUMNS: &[Column] = &[
@@ -53,7 +52,7 @@ fn sample() -> Report {
 }
 
 fn occasion() -> Occasion {
-    Occasion::now(Isa::Portable, 2, "catoptric study sample".to_owned())
+    Occasion::now("portable", 2, "catoptric study sample".to_owned())
 }
 
 fn text(name: &str) -> String {
@@ -108,14 +107,14 @@ fn json_holds_every_digit_and_null_for_what_is_no_number() {
     let json: serde_json::Value = serde_json::from_slice(&all[1].bytes).expect("JSON");
     let names: Vec<&str> = all.iter().map(|file| &*file.name).collect();
     assert_eq!(json["files"], serde_json::Value::from(names));
-    let sums: Vec<report::Sum> = serde_json::from_value(json["sums"].clone()).expect("sums");
+    let sums: Vec<Sum> = serde_json::from_value(json["sums"].clone()).expect("sums");
     let others = all.iter().filter(|file| !file.name.ends_with(".json"));
-    let expected: Vec<_> = others.map(|file| report::Sum::of(&file.name, &file.bytes)).collect();
+    let expected: Vec<_> = others.map(|file| Sum::of(&file.name, &file.bytes)).collect();
     assert_eq!(sums, expected);
     assert_eq!(sums[0].bytes, all[0].bytes.len() as u64);
     // The published values of the sum.
-    assert_eq!(report::Sum::of("", b"").fnv1a_64, "cbf29ce484222325");
-    assert_eq!(report::Sum::of("", b"foobar").fnv1a_64, "85944171f73967e8");
+    assert_eq!(Sum::of("", b"").fnv1a_64, "cbf29ce484222325");
+    assert_eq!(Sum::of("", b"foobar").fnv1a_64, "85944171f73967e8");
     assert_eq!(json["made"]["command"], "catoptric study sample");
 }
 
@@ -131,7 +130,7 @@ fn markdown_rounds_for_people_and_keeps_bars_out_of_cells() {
     assert!(markdown.contains("| a, \"b\" \\| c | 0.1000 "), "{markdown}");
     assert!(markdown.contains("| x     | 1.25e-9 "), "{markdown}");
     assert!(markdown.contains("![Error against time](one.svg)"), "{markdown}");
-    let alone = report::summary(&sample(), &occasion(), false);
+    let alone = summary(&sample(), &occasion(), false);
     assert!(!alone.contains(".svg") && !alone.contains(".png"), "{alone}");
 }
 
@@ -174,7 +173,7 @@ fn yes_and_no_are_words_for_people_and_truths_for_machines() {
     let mut table = Table::new("sample", COLUMNS, "Rows.");
     table.push([true.into(), false.into(), Cell::from(None::<bool>)]);
     report.table(table);
-    let document = report::document(&report, &occasion());
+    let document = document(&report, &occasion());
     let json: serde_json::Value = serde_json::from_str(&document).expect("JSON");
     assert_eq!(
         (&json["rows"][0]["scene"], &json["rows"][0]["max_error"]),

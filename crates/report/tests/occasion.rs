@@ -2,7 +2,7 @@
 
 use std::time::{Duration, UNIX_EPOCH};
 
-use catoptric_study::occasion::{iso8601, model_in};
+use catoptric_report::occasion::{iso8601, model_in};
 
 #[test]
 fn dates_are_those_of_the_calendar() {

@@ -3,7 +3,6 @@
 use std::fmt;
 use std::time::SystemTime;
 
-use catoptric_core::Isa;
 use chrono::{DateTime, SecondsFormat, Utc};
 use serde::Serialize;
 
@@ -30,16 +29,16 @@ pub struct Occasion {
 }
 
 impl Occasion {
-    /// Here and now.
+    /// Here and now; `isa` is the name of the engine's instruction set.
     #[must_use]
-    pub fn now(isa: Isa, threads: usize, command: String) -> Self {
+    pub fn now(isa: &'static str, threads: usize, command: String) -> Self {
         Self {
             date: iso8601(SystemTime::now()),
             program: env!("CARGO_PKG_VERSION"),
             commit: env!("CATOPTRIC_COMMIT"),
             processor: processor(),
             processors: std::thread::available_parallelism().map_or(1, usize::from),
-            isa: isa.name(),
+            isa,
             threads,
             command,
         }

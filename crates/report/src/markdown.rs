@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
-use super::{Block, Report, Table};
 use crate::occasion::Occasion;
+use crate::report::{Block, Report};
+use crate::table::{Cell, Table};
 
 /// The summary. Plots and pictures are named by the files that a report writes for them, or
 /// left out where there are none.
@@ -46,7 +47,7 @@ fn push(text: &mut String, what: std::fmt::Arguments<'_>) {
 fn push_table(text: &mut String, table: &Table) {
     push(text, format_args!("{}\n\n", table.caption));
     let headings: Vec<String> = table.columns.iter().map(|c| c.heading.to_owned()).collect();
-    let cell = |cell: &super::Cell| cell.to_string().replace('|', "\\|");
+    let cell = |cell: &Cell| cell.to_string().replace('|', "\\|");
     let rows: Vec<Vec<String>> =
         table.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
     let widths: Vec<usize> = (0..headings.len())

@@ -1,9 +1,9 @@
 //! The files that a report is written as.
 
-use serde::{Deserialize, Serialize};
-
-use super::{Block, Report, csv, html, json, markdown, png, svg};
 use crate::occasion::Occasion;
+use crate::report::{Block, Report};
+use crate::sum::Sum;
+use crate::{csv, html, json, markdown, png, svg};
 
 /// A file of a report.
 #[derive(Clone, Debug)]
@@ -12,30 +12,6 @@ pub struct File {
     pub name: String,
     /// What it holds.
     pub bytes: Vec<u8>,
-}
-
-/// What a file holds, in short. The document keeps it of every other file of its report, so that
-/// a later report removes only what is still as it was written.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Sum {
-    /// The file's name within the report's folder.
-    pub file: String,
-    /// How many bytes it has.
-    pub bytes: u64,
-    /// Their FNV-1a sum of 64 bits, in hexadecimal digits.
-    pub fnv1a_64: String,
-}
-
-impl Sum {
-    /// The sum of a file.
-    #[must_use]
-    pub fn of(name: &str, bytes: &[u8]) -> Self {
-        let step =
-            |sum: u64, byte: &u8| (sum ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        let sum = bytes.iter().fold(0xcbf2_9ce4_8422_2325, step);
-        let (file, bytes) = (name.to_owned(), bytes.len() as u64);
-        Self { file, bytes, fnv1a_64: format!("{sum:016x}") }
-    }
 }
 
 /// `index.html`, and for programs and papers the same as JSON, CSV, Markdown, SVG and PNG.
