@@ -26,10 +26,20 @@ const ARROWS: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "catoptric-cli",
+        "catoptric-explain",
         &[
             "catoptric-core",
             "catoptric-ladder",
+            "catoptric-report",
+            "catoptric-scene",
+            "catoptric-study",
+        ],
+    ),
+    (
+        "catoptric-cli",
+        &[
+            "catoptric-core",
+            "catoptric-explain",
             "catoptric-reference",
             "catoptric-report",
             "catoptric-scene",

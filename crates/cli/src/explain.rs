@@ -1,26 +1,22 @@
 //! `catoptric explain`: what a scene has and needs and where its rays end; or the whole life of
 //! one eye ray.
 
-mod account;
-mod drawing;
-mod life;
-mod page;
-
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use catoptric_core::Isa;
+use catoptric_explain::{Account, ExplainError, Life, Picture, Pixel, page};
 use catoptric_scene::Scene;
 use catoptric_study::tracer::Threads;
 use clap::Args;
 use serde::Serialize;
 
 use crate::exit::{Exit, Failure, say};
+use crate::format::png;
 use crate::input::is_stream;
+use crate::memory::{Size, granted};
 use crate::output::{Target, commit};
 use crate::{interrupt, json, machine, scene};
-use account::Account;
-use life::Life;
 
 /// Explain a scene, or one pixel's ray from the eye and back
 ///
@@ -83,12 +79,8 @@ Keys of --pixel X,Y --json; points are relative to the eye, colours linear:
     of a fold            local, k, back, colour = local + k * back
     of a return          colour";
 
-/// A pixel of the image.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Pixel {
-    x: u32,
-    y: u32,
-}
+/// What `render` allows for the picture unless it is told otherwise.
+const MEMORY: Size = Size(2 << 30);
 
 fn pixel(text: &str) -> Result<Pixel, &'static str> {
     let number = |part: &str| part.trim().parse().ok();
@@ -120,8 +112,10 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     match options.pixel {
         None => {
             let name = options.scene.to_string_lossy();
-            let account = threads.most().install(|| Account::new(&name, &scene, isa))?;
-            print(options.json, &account, |to| account::text::write(&account, to))?;
+            check_memory(&scene)?;
+            let account = threads.most().install(|| Account::new(&name, &scene, isa));
+            let account = account.map_err(refused)?;
+            print(options.json, &account, |to| account.write(to))?;
         }
         Some(pixel) => explain_pixel(options, &scene, pixel, &threads, isa)?,
     }
@@ -135,24 +129,16 @@ fn explain_pixel(
     threads: &Threads,
     isa: Isa,
 ) -> Result<(), Failure> {
-    let (width, height) = (scene.image.width, scene.image.height);
-    if pixel.x >= width || pixel.y >= height {
-        let Pixel { x, y } = pixel;
-        return Err(Failure::wrong_use(format_args!(
-            "pixel {x},{y} is not in the image of {width}x{height}: allowed are X from 0 to {} and Y from 0 to {}",
-            width - 1,
-            height - 1
-        )));
-    }
+    pixel.check(scene).map_err(refused)?;
     let target = options.html.as_deref().map(|path| page_target(path, &options.scene));
     let target = target.transpose()?;
 
     let name = options.scene.to_string_lossy();
-    let life = threads.most().install(|| Life::new(&name, scene, pixel, isa))?;
+    let life = threads.most().install(|| Life::new(&name, scene, pixel, isa)).map_err(refused)?;
     let Some(target) = target else {
-        return print(options.json, &life, |to| life::text::write(&life, to));
+        return print(options.json, &life, |to| life.write(to));
     };
-    let page = threads.most().install(|| page::page(&life, isa))?;
+    let page = threads.most().install(|| page(&life, isa, png_file)).map_err(refused)?;
     let staged = target.stage(|to| to.write_all(page.as_bytes()))?;
     if options.json {
         print(true, &life, |_| Ok(()))?;
@@ -164,6 +150,39 @@ fn explain_pixel(
         life.steps()
     ));
     Ok(())
+}
+
+/// Two films are compared with each other.
+fn check_memory(scene: &Scene) -> Result<(), Failure> {
+    let need = Size(Account::memory(scene));
+    if need > MEMORY || !granted(need.0) {
+        let (width, height) = (scene.image.width, scene.image.height);
+        return Err(Failure::bad_input(format_args!(
+            "two films of {width}x{height}, which are compared with each other, need {need} of memory, and the limit is {MEMORY}: lower image.width and image.height in the scene"
+        )));
+    }
+    Ok(())
+}
+
+/// The exit code of what cannot be explained.
+fn refused(error: ExplainError) -> Failure {
+    match error {
+        ExplainError::NoPixel { .. } => Failure::wrong_use(error),
+        ExplainError::NoSmallerPicture(_) => Failure::bad_input(error),
+        ExplainError::PictureTooDeep { .. }
+        | ExplainError::LifeTooDeep { .. }
+        | ExplainError::Differs { .. }
+        | ExplainError::PagePictureTooDeep(_) => Failure::failed(error),
+    }
+}
+
+/// The page's picture as a file.
+fn png_file(picture: &Picture) -> Vec<u8> {
+    let Picture { width, height, ref pixels, transfer } = *picture;
+    let mut file = Vec::new();
+    png::encode(pixels.as_flattened(), width, height, Some(transfer), &mut file)
+        .expect("a picture of that size can be written to memory");
+    file
 }
 
 /// Where the page goes; not over the scene.

@@ -8,7 +8,6 @@
 //! generate.rs   families of scenes: options to scene to file
 //!   generate/     the families' options, the command that makes a file again
 //! explain.rs    what a scene needs, or the life of one eye ray, as words, JSON or a page
-//!   explain/        the scene's account, the ray's life, the page and its drawing
 //! study.rs      what accuracy and depth cost: options to report to files
 //!   study/        its options, its interruption, where the report goes
 //! format.rs     png, ppm, pfm: bytes of a picture, both ways

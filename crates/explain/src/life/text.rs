@@ -4,23 +4,32 @@
 use std::io::{self, Write};
 
 use catoptric_ladder::Event;
-use catoptric_scene::shown;
 
-use super::{Last, Life, Pixel};
-use crate::exit::NAME;
-use crate::explain::account::numerics;
+use super::{Last, Life};
+use crate::pixel::Pixel;
+use crate::words::{self, numerics};
 
 /// One event as people read it.
-pub(in crate::explain) struct Told {
+pub(crate) struct Told {
     /// What the recursion does.
-    pub(in crate::explain) recursion: String,
+    pub(crate) recursion: String,
     /// What the engine does.
-    pub(in crate::explain) engine: String,
+    pub(crate) engine: String,
     /// Names and values; no name goes on with the line before.
-    pub(in crate::explain) numbers: Vec<(&'static str, String)>,
+    pub(crate) numbers: Vec<(&'static str, String)>,
 }
 
-pub(in crate::explain) fn write(life: &Life, to: &mut dyn Write) -> io::Result<()> {
+impl Life<'_> {
+    /// Writes it in words, for a terminal of 80 columns.
+    ///
+    /// # Errors
+    /// Those of `to`.
+    pub fn write(&self, to: &mut dyn Write) -> io::Result<()> {
+        write(self, to)
+    }
+}
+
+fn write(life: &Life, to: &mut dyn Write) -> io::Result<()> {
     for line in about(life) {
         writeln!(to, "{line}")?;
     }
@@ -38,14 +47,14 @@ pub(in crate::explain) fn write(life: &Life, to: &mut dyn Write) -> io::Result<(
 }
 
 /// What is told, and of what.
-pub(in crate::explain) fn about(life: &Life) -> Vec<String> {
+pub(crate) fn about(life: &Life) -> Vec<String> {
     let Pixel { x, y } = life.pixel;
     let image = life.scene.image;
     let [ex, ey, ez] = life.scene.camera.position;
     let render = life.scene.render;
     let limits = format!("max_depth {}, min_weight {}", render.max_depth, render.min_weight);
     vec![
-        format!("{}, pixel {x},{y} of {}x{}", shown(life.name, NAME), image.width, image.height),
+        format!("{}, pixel {x},{y} of {}x{}", words::name(life.name), image.width, image.height),
         format!("numerics {}, {limits}; reflections: {}", numerics(life.scene), life.deepest()),
         format!("points are relative to the eye, which is at {ex} {ey} {ez}"),
         format!(
@@ -56,7 +65,7 @@ pub(in crate::explain) fn about(life: &Life) -> Vec<String> {
 }
 
 /// Puts an event in words.
-pub(in crate::explain) fn tell(life: &Life, index: usize) -> Told {
+pub(crate) fn tell(life: &Life, index: usize) -> Told {
     let told = |recursion: String, engine: String, numbers| Told { recursion, engine, numbers };
     match life.events[index] {
         Event::Call { depth, origin, direction, weight } => told(
@@ -131,12 +140,12 @@ fn why(life: &Life, depth: u32, k: f32) -> Option<String> {
 }
 
 /// Three numbers.
-pub(in crate::explain) fn rgb(values: impl Into<[f32; 3]>) -> String {
+pub(crate) fn rgb(values: impl Into<[f32; 3]>) -> String {
     values.into().map(number).join(" ")
 }
 
 /// Every digit that tells it from its neighbours.
-pub(in crate::explain) fn number(x: f32) -> String {
+pub(crate) fn number(x: f32) -> String {
     let size = x.abs();
     if x == 0.0 || (1e-4..1e7).contains(&size) || !x.is_finite() {
         format!("{x}")

@@ -1,6 +1,7 @@
 //! The part of the view that the drawing shows, and what is drawn there.
 
-use super::{Disc, push};
+use super::disc::Disc;
+use super::svg::push;
 
 /// Units of the drawing.
 pub(super) const WIDTH: f64 = 640.0;

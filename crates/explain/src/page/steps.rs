@@ -3,9 +3,8 @@
 use catoptric_ladder::Event;
 use serde::Serialize;
 
-use super::css;
-use crate::explain::life::Life;
-use crate::explain::life::text::{Told, number, rgb, tell};
+use crate::life::Life;
+use crate::life::text::{Told, number, rgb, tell};
 
 /// Levels at either end of a path that the page holds.
 const LEVELS: u32 = 200;
@@ -111,4 +110,10 @@ fn gap(index: usize, gap: Gap) -> Step {
         colour: None,
         gap: Some(gap),
     }
+}
+
+/// A colour as it is in the 8-bit picture.
+pub(super) fn css(life: &Life, colour: [f32; 3]) -> String {
+    let [r, g, b] = life.levels(colour);
+    format!("rgb({r},{g},{b})")
 }

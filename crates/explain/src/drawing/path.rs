@@ -3,7 +3,7 @@
 use catoptric_ladder::Event;
 use catoptric_scene::Scene;
 
-use crate::explain::life::Life;
+use crate::life::Life;
 
 /// Hits that are drawn.
 pub(super) const HITS: usize = 200;
@@ -77,8 +77,4 @@ fn along((origin, direction): ([f64; 3], [f64; 3]), length: f64) -> [f64; 3] {
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     let squares = (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i]));
     squares.sum::<f64>().sqrt()
-}
-
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
 }

@@ -7,16 +7,15 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use catoptric_core::{Isa, Settings, render_levels};
 use catoptric_report::escaped;
-use catoptric_scene::{Compiled, Grid, Scene, View};
+use catoptric_scene::{Compiled, Grid, Quantiser, Scene, Transfer, View};
 use catoptric_study::tracer::STACK_LIMIT;
 
-use super::Pixel;
-use super::drawing::draw;
-use super::life::Life;
-use super::life::text::{about, rgb};
-use crate::exit::Failure;
-use crate::format::{Levels, png};
-use steps::{Step, steps};
+use crate::drawing::draw;
+use crate::error::ExplainError;
+use crate::life::Life;
+use crate::life::text::{about, rgb};
+use crate::pixel::Pixel;
+use steps::{Step, css, steps};
 
 /// What the page may load and run: nothing but what stands in it. A browser refuses the rest.
 const POLICY: &str =
@@ -28,16 +27,31 @@ const SIDE: u32 = 800;
 /// Below half of it a picture is shown enlarged.
 const SMALL: u32 = 320;
 
-/// The page; its picture is rendered on rayon's current threads.
+/// An 8-bit picture of the scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Levels, row by row from the top left.
+    pub pixels: Vec<[u8; 3]>,
+    /// How the levels come from light.
+    pub transfer: Transfer,
+}
+
+/// The page; its picture is rendered on rayon's current threads, and `png` makes it a file.
 ///
 /// # Errors
-/// Exit code 1 where some path of the picture is too deep for the engine.
-pub(super) fn page(life: &Life, isa: Isa) -> Result<String, Failure> {
+/// [`ExplainError::PagePictureTooDeep`], and [`ExplainError::NoSmallerPicture`] for a scene whose
+/// image is too large for a page and cannot be made smaller.
+pub fn page(
+    life: &Life,
+    isa: Isa,
+    png: impl FnOnce(&Picture) -> Vec<u8>,
+) -> Result<String, ExplainError> {
     let picture = render(life.scene, isa)?;
-    let mut png = Vec::new();
-    let transfer = Some(life.scene.image.transfer);
-    png::encode(picture.pixels.as_flattened(), picture.width, picture.height, transfer, &mut png)
-        .expect("a picture of that size can be written to memory");
+    let png = png(&picture);
     let (steps, hidden) = steps(life);
     let drawing = draw(life);
     let Pixel { x, y } = life.pixel;
@@ -110,7 +124,7 @@ fn fill(template: &str, values: &[(&str, String)]) -> String {
 }
 
 /// The scene's picture; a large one smaller, so that the page stays small.
-fn render(scene: &Scene, isa: Isa) -> Result<Levels, Failure> {
+fn render(scene: &Scene, isa: Isa) -> Result<Picture, ExplainError> {
     let mut draft = scene.clone().into_draft();
     let larger = draft.image.width.max(draft.image.height);
     if larger > SIDE {
@@ -118,14 +132,14 @@ fn render(scene: &Scene, isa: Isa) -> Result<Levels, Failure> {
         draft.image.width = scaled(draft.image.width);
         draft.image.height = scaled(draft.image.height);
     }
-    let scene = Scene::new(draft).map_err(Failure::bad_input)?;
+    let scene = Scene::new(draft).map_err(ExplainError::NoSmallerPicture)?;
     let (compiled, grid) = (Compiled::new(&scene), Grid::new(&View::whole(&scene)));
-    let quantiser = catoptric_scene::Quantiser::new(scene.image.transfer);
-    let mut levels = Levels::new(grid.width, grid.height);
+    let (width, height, transfer) = (grid.width, grid.height, scene.image.transfer);
+    let mut pixels = vec![[0; 3]; width as usize * height as usize];
     let settings = Settings { isa, stack_limit: STACK_LIMIT };
-    render_levels(&compiled, &grid, &quantiser, &mut levels.pixels, settings, &|_| {})
-        .map_err(|full| Failure::failed(format_args!("{full}: lower max_depth in the scene")))?;
-    Ok(levels)
+    render_levels(&compiled, &grid, &Quantiser::new(transfer), &mut pixels, settings, &|_| {})
+        .map_err(ExplainError::PagePictureTooDeep)?;
+    Ok(Picture { width, height, pixels, transfer })
 }
 
 /// A step's line in the log.
@@ -143,10 +157,4 @@ fn row(step: &Step) -> String {
         escaped(&step.engine),
         numbers.collect::<Vec<_>>().join("<br>")
     )
-}
-
-/// A colour as it is in the 8-bit picture.
-fn css(life: &Life, colour: [f32; 3]) -> String {
-    let [r, g, b] = life.levels(colour);
-    format!("rgb({r},{g},{b})")
 }

@@ -1,7 +1,7 @@
 //! What is drawn of the path: legs, hits and their names.
 
 use super::path::Path;
-use super::push;
+use super::svg::push;
 use super::window::{HEIGHT, WIDTH, Window};
 
 /// Hits that carry their number.

@@ -2,10 +2,12 @@
 
 use catoptric_scene::Plane;
 
-use super::path::{Path, dot};
+use super::axes::Axes;
+use super::path::Path;
+use super::svg::{css, push};
+use super::vector::{dot, unit};
 use super::window::{Window, everywhere, half_plane};
-use super::{Axes, css, push, unit};
-use crate::explain::life::Life;
+use crate::life::Life;
 
 /// Units to either side of a hit that a tangent takes.
 const TANGENT: f64 = 18.0;

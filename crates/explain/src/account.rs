@@ -2,23 +2,23 @@
 
 mod features;
 mod plan;
-pub(super) mod text;
+mod text;
 
 use catoptric_core::{Isa, Plan};
-use catoptric_scene::{Compiled, Film, Grid, Numerics, Scene, Transfer, View};
+use catoptric_scene::{Compiled, Film, Grid, Scene, Transfer, View};
 use catoptric_study::error::{Enough, enough};
 use catoptric_study::light::LightBounds;
 use catoptric_study::subject::Subject;
 use catoptric_study::tracer::{TooDeep, Tracer};
 use serde::Serialize;
 
-use crate::exit::Failure;
-use crate::memory::{Size, granted};
+use crate::error::ExplainError;
+use crate::words::numerics;
 use features::{Has, Needs};
 
-/// What `explain` says of a scene. Every key is always there.
+/// What is said of a scene. Serialised, every key is always there.
 #[derive(Debug, Serialize)]
-pub(super) struct Account {
+pub struct Account {
     /// `catoptric-explain`.
     schema: &'static str,
     /// Grows when a key changes its meaning or goes.
@@ -94,25 +94,19 @@ struct Depths {
 /// How far rays are followed to see where they end by themselves.
 const FAR: u32 = 256;
 
-/// What `render` allows for the picture unless it is told otherwise.
-const MEMORY: Size = Size(2 << 30);
-
 impl Account {
     /// Renders the picture about 2 log2 of its deepest ray times, and as often as it takes to
     /// see what omissions save, on rayon's current threads.
     ///
+    /// `name` is the scene's, as it is to be told. See [`Account::memory`] for what this takes.
+    ///
     /// # Errors
-    /// Exit code 3 for a picture larger than memory is allowed to be, 1 for a path deeper than
-    /// the engine's stacks.
-    pub(super) fn new(name: &str, scene: &Scene, isa: Isa) -> Result<Self, Failure> {
+    /// [`ExplainError::PictureTooDeep`].
+    pub fn new(name: &str, scene: &Scene, isa: Isa) -> Result<Self, ExplainError> {
         let (width, height) = (scene.image.width, scene.image.height);
-        check_memory(width, height)?;
         let failed = |deep: TooDeep| {
-            let render = scene.render;
-            Failure::failed(format_args!(
-                "{deep} of the engine, with max_depth {} and min_weight {}: lower the one or raise the other in the scene",
-                render.max_depth, render.min_weight
-            ))
+            let (max_depth, min_weight) = (scene.render.max_depth, scene.render.min_weight);
+            ExplainError::PictureTooDeep { deep, max_depth, min_weight }
         };
         let found = enough(scene, isa).map_err(failed)?;
         let Enough { same_bits, within_a_level, deepest_ray, counts } = found;
@@ -161,25 +155,12 @@ impl Account {
             enough: Depths { same_bits, within_a_level },
         })
     }
-}
 
-/// `robust` or `textbook`.
-pub(super) fn numerics(scene: &Scene) -> &'static str {
-    match scene.render.numerics {
-        Numerics::Robust => "robust",
-        Numerics::Textbook => "textbook",
+    /// Bytes that two films of the scene take, which are compared with each other.
+    #[must_use]
+    pub fn memory(scene: &Scene) -> u64 {
+        u64::from(scene.image.width) * u64::from(scene.image.height) * 24
     }
-}
-
-/// Two films are compared with each other.
-fn check_memory(width: u32, height: u32) -> Result<(), Failure> {
-    let need = Size(u64::from(width) * u64::from(height) * 24);
-    if need > MEMORY || !granted(need.0) {
-        return Err(Failure::bad_input(format_args!(
-            "two films of {width}x{height}, which are compared with each other, need {need} of memory, and the limit is {MEMORY}: lower image.width and image.height in the scene"
-        )));
-    }
-    Ok(())
 }
 
 /// Where rays end by themselves, if they do before [`FAR`].

@@ -5,7 +5,7 @@ use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
 use super::{Last, Life, Roles};
-use crate::explain::account::numerics;
+use crate::words::numerics;
 
 /// Points are relative to the eye; colours are linear RGB; what is
 /// infinite or NaN is null.

@@ -2,11 +2,9 @@
 
 use std::io::{self, Write};
 
-use catoptric_scene::shown;
-
 use super::features::{Has, is_grey};
 use super::{Account, FAR};
-use crate::exit::NAME;
+use crate::words;
 
 /// Rows of a table at its beginning that are all shown.
 const ALL: usize = 9;
@@ -14,9 +12,19 @@ const ALL: usize = 9;
 /// Mirror factors that are shown.
 const FACTORS: usize = 6;
 
-pub(in crate::explain) fn write(account: &Account, to: &mut dyn Write) -> io::Result<()> {
+impl Account {
+    /// Writes it in words, for a terminal of 80 columns.
+    ///
+    /// # Errors
+    /// Those of `to`.
+    pub fn write(&self, to: &mut dyn Write) -> io::Result<()> {
+        write(self, to)
+    }
+}
+
+fn write(account: &Account, to: &mut dyn Write) -> io::Result<()> {
     let Account { scene, width, height, transfer, numerics, max_depth, min_weight, .. } = account;
-    writeln!(to, "{}", shown(scene, NAME))?;
+    writeln!(to, "{}", words::name(scene))?;
     writeln!(to, "{width}x{height} pixels, transfer {transfer}, numerics {numerics}")?;
     writeln!(to, "max_depth {max_depth}, min_weight {min_weight}")?;
 

@@ -5,53 +5,56 @@
 //! weight, and k of a mirror that is not followed.
 
 mod json;
-pub(super) mod text;
+pub(crate) mod text;
 
 use catoptric_core::{Isa, Settings};
-use catoptric_ladder::{DEEPEST, Event, RUNGS, Rung, Watch};
+use catoptric_ladder::{Event, RUNGS, Rung, Watch};
 use catoptric_scene::{
     CameraAxes, Compiled, Crop, DoubleDouble, Film, Grid, Quantiser, Scene, View,
 };
 use catoptric_study::tracer::{STACK_LIMIT, Tracer};
 use serde::Serialize;
 
-use super::Pixel;
-use crate::exit::Failure;
+use crate::error::ExplainError;
+use crate::pixel::Pixel;
 
 /// The life of a pixel's eye ray.
-pub(super) struct Life<'a> {
+pub struct Life<'a> {
     /// As the command line named it; `-` for stdin.
-    pub(super) name: &'a str,
-    pub(super) scene: &'a Scene,
-    pub(super) compiled: Compiled,
-    pub(super) pixel: Pixel,
+    pub(crate) name: &'a str,
+    pub(crate) scene: &'a Scene,
+    pub(crate) compiled: Compiled,
+    pub(crate) pixel: Pixel,
     /// Who told the recursion's side: r0, or past the depth of its stack r3, the loop.
-    pub(super) recursion: &'static Rung,
+    pub(crate) recursion: &'static Rung,
     /// Who told the engine's side.
-    pub(super) engine: &'static Rung,
+    pub(crate) engine: &'static Rung,
     /// The recursion's log, in the world's axes; the engine's agrees.
-    pub(super) events: Vec<Event>,
+    pub(crate) events: Vec<Event>,
     /// Whether the engine formed the weights too.
-    pub(super) engine_forms_weights: bool,
+    pub(crate) engine_forms_weights: bool,
     /// Linear RGB, as the engine renders the pixel.
-    pub(super) colour: [f32; 3],
-    pub(super) quantiser: Quantiser,
+    pub(crate) colour: [f32; 3],
+    pub(crate) quantiser: Quantiser,
 }
 
 impl<'a> Life<'a> {
     /// Follows the ray on rayon's current threads, which need the recursion's stacks.
     ///
+    /// `name` is the scene's, as it is to be told.
+    ///
     /// # Errors
-    /// Exit code 1 if the path is too deep, or if the recursion and the engine differ.
-    pub(super) fn new(
+    /// [`ExplainError::NoPixel`], [`ExplainError::LifeTooDeep`] and [`ExplainError::Differs`].
+    pub fn new(
         name: &'a str,
         scene: &'a Scene,
         pixel: Pixel,
         isa: Isa,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, ExplainError> {
+        pixel.check(scene)?;
         let compiled = Compiled::new(scene);
         let crop = Crop { x: pixel.x, y: pixel.y, width: 1, height: 1 };
-        let view = View::new(scene, Some(crop), 1).map_err(Failure::wrong_use)?;
+        let view = View::new(scene, Some(crop), 1).expect("one pixel of the image");
         let grid = Grid::new(&view);
         let [recursion, .., the_loop, _, engine] = &RUNGS;
 
@@ -80,9 +83,7 @@ impl<'a> Life<'a> {
         let same_colour = colour.iter().zip(&returned.to_array()).all(same_bits);
         if same.differs || same.expected.next().is_some() || !same_colour {
             let Pixel { x, y } = pixel;
-            return Err(Failure::failed(format_args!(
-                "the engine's account of pixel {x},{y} is not the recursion's: this is a fault of the program, please report it with the scene"
-            )));
+            return Err(ExplainError::Differs { x, y });
         }
         let engine_forms_weights = same.weights;
         let events = in_the_world(events, &compiled.axes);
@@ -101,23 +102,24 @@ impl<'a> Life<'a> {
         })
     }
 
-    /// How many.
-    pub(super) fn steps(&self) -> usize {
+    /// How many calls, hits, folds and returns it has.
+    #[must_use]
+    pub fn steps(&self) -> usize {
         self.events.len()
     }
 
     /// Reflections behind the deepest ray.
-    pub(super) fn deepest(&self) -> u32 {
+    pub(crate) fn deepest(&self) -> u32 {
         self.events.iter().map(Event::depth).max().unwrap_or(0)
     }
 
     /// Where the scene states a primitive: `spheres[2]`, as its error messages have it.
-    pub(super) fn stated(&self, primitive: usize) -> String {
+    pub(crate) fn stated(&self, primitive: usize) -> String {
         self.name_of(self.compiled.primitives[primitive].stated as usize)
     }
 
     /// The same of a place among the scene's spheres; planes come after.
-    pub(super) fn name_of(&self, stated: usize) -> String {
+    pub(crate) fn name_of(&self, stated: usize) -> String {
         let spheres = self.scene.spheres.len();
         match stated.checked_sub(spheres) {
             None => format!("spheres[{stated}]"),
@@ -126,18 +128,18 @@ impl<'a> Life<'a> {
     }
 
     /// Its levels in an 8-bit picture.
-    pub(super) fn levels(&self, colour: [f32; 3]) -> [u8; 3] {
+    pub(crate) fn levels(&self, colour: [f32; 3]) -> [u8; 3] {
         colour.map(|channel| self.quantiser.level(channel))
     }
 
     /// Whether an event is the return of a ray that met nothing.
-    pub(super) fn misses(&self, index: usize) -> bool {
+    pub(crate) fn misses(&self, index: usize) -> bool {
         let before = index.checked_sub(1).map(|before| &self.events[before]);
         matches!(before, Some(Event::Call { .. }))
     }
 
     /// Why the mirror of a hit that is not followed is not.
-    pub(super) fn last(&self, depth: u32, k: f32) -> Last {
+    pub(crate) fn last(&self, depth: u32, k: f32) -> Last {
         if k.is_nan() || k <= 0.0 {
             Last::NoMirror
         } else if depth >= self.scene.render.max_depth {
@@ -148,7 +150,7 @@ impl<'a> Life<'a> {
     }
 
     /// What an event is to the two.
-    pub(super) fn roles(&self, index: usize) -> Roles {
+    pub(crate) fn roles(&self, index: usize) -> Roles {
         let (recursion, engine) = match self.events[index] {
             Event::Call { .. } => ("call", Some("ray")),
             Event::Hit { followed: true, .. } => ("hit", Some("push")),
@@ -164,7 +166,7 @@ impl<'a> Life<'a> {
 /// Why a hit is the last.
 #[derive(Clone, Copy, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub(super) enum Last {
+pub(crate) enum Last {
     /// It owes nothing.
     NoMirror,
     MaxDepth,
@@ -173,12 +175,12 @@ pub(super) enum Last {
 
 /// One event, in a word each.
 #[derive(Serialize)]
-pub(super) struct Roles {
+pub(crate) struct Roles {
     /// `call`, `hit`, `fold` or `return`.
-    pub(super) recursion: &'static str,
+    pub(crate) recursion: &'static str,
     /// `ray`: in flight; `push`: a level is put on the stack; `end`: nothing is owed; `fold`: the
     /// level is taken off and paid. Null: nothing happens, what the recursion returns is at hand.
-    pub(super) engine: Option<&'static str>,
+    pub(crate) engine: Option<&'static str>,
 }
 
 /// Turns a log, which is in the camera's axes, into the world's. Points stay relative to the eye;
@@ -196,11 +198,8 @@ fn in_the_world(mut events: Vec<Event>, axes: &CameraAxes) -> Vec<Event> {
     events
 }
 
-fn too_deep(scene: &Scene) -> Failure {
-    Failure::failed(format_args!(
-        "the path has more than {DEEPEST} reflections, which are too many to write down: lower max_depth, which is {}, or raise min_weight in the scene",
-        scene.render.max_depth
-    ))
+fn too_deep(scene: &Scene) -> ExplainError {
+    ExplainError::LifeTooDeep { max_depth: scene.render.max_depth }
 }
 
 /// Compares a log with another one as it is told.
