@@ -53,7 +53,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         Study::Error(options) => study_error(options, &subjects, threads, isa, &watch),
         Study::Ladder(options) => study_ladder(options, &subjects, &pools, isa, &watch),
         Study::Stability(_) => {
-            let effort = stability::suite::Effort::default();
+            let effort = stability::finding::Effort::default();
             Ok(pools.most().install(|| stability::run(&subjects, &watch, effort)))
         }
     })?;

@@ -6,57 +6,23 @@
 mod levels;
 mod packing;
 mod plots;
+mod request;
 mod row;
 mod waterfall;
 
-use catoptric_core::Isa;
 use catoptric_report::{Report, Table};
 use catoptric_scene::{Compiled, Grid, View};
 
 use crate::Watch;
-use crate::checked::{Difference, Group, check_then_time};
+use crate::checked::{Group, check_then_time};
 use crate::subject::Subject;
-use crate::timing::{Repeat, noise};
-use crate::tracer::Threads;
+use crate::timing::noise;
 use crate::way::Way;
+pub use request::{Mismatch, Request};
 use row::{COLUMNS, Row, words};
 
 /// The depths that are asked for unless others are.
 pub const DEPTHS: [u32; 11] = [0, 1, 2, 3, 4, 5, 8, 16, 32, 64, 128];
-
-/// What is measured.
-pub struct Request<'a> {
-    /// Scenes, in order.
-    pub subjects: &'a [Subject],
-    /// Values of `max_depth`.
-    pub depths: &'a [u32],
-    /// Who traces; no two of one name.
-    pub ways: &'a [Way],
-    /// On how many threads.
-    pub threads: &'a Threads,
-    /// How often.
-    pub repeat: Repeat,
-    /// The engine's instruction set.
-    pub isa: Isa,
-}
-
-/// Two pictures or ray counts that should be the same are not.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "{scene} to depth {depth}: {way} on {threads} threads is wrong, {difference}; nothing was timed"
-)]
-pub struct Mismatch {
-    /// The scene's name.
-    pub scene: String,
-    /// Its `max_depth`.
-    pub depth: u32,
-    /// What traced it.
-    pub way: String,
-    /// On how many threads.
-    pub threads: usize,
-    /// What is not the same.
-    pub difference: Difference,
-}
 
 /// Measures all of it.
 ///

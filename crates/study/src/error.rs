@@ -9,6 +9,7 @@ mod enough;
 mod floors;
 mod front;
 mod plots;
+mod request;
 mod row;
 mod sample;
 mod size;
@@ -19,29 +20,12 @@ mod words;
 use catoptric_report::{Report, Table};
 
 use crate::Watch;
-use crate::subject::Subject;
-use crate::timing::{Repeat, noise};
-use crate::tracer::{Threads, Tracer};
+use crate::timing::noise;
 pub use enough::{Enough, enough};
 pub use front::on_front;
+pub use request::Request;
 use row::COLUMNS;
 pub use truth::Settled;
-
-/// What is measured.
-pub struct Request<'a> {
-    /// Scenes, in order.
-    pub subjects: &'a [Subject],
-    /// Who traces.
-    pub tracer: Tracer,
-    /// Pools; the largest one makes truth.
-    pub threads: &'a Threads,
-    /// On how many threads each setting is timed; one of the pools has that many.
-    pub timed_on: usize,
-    /// How often each setting is timed.
-    pub repeat: Repeat,
-    /// An RMSE for which the cheapest setting is found and named.
-    pub target: Option<f64>,
-}
 
 /// Measures all of it.
 #[must_use]

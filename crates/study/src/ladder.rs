@@ -3,33 +3,16 @@
 //! Every rung's picture is compared with the recursion's, bit for bit, before it is timed. All
 //! are timed on one thread.
 
+mod climbed;
+mod request;
 mod table;
 
-use catoptric_core::{Isa, Settings};
-use catoptric_ladder::{FORWARD, RUNGS, Rung, native_stack};
-use catoptric_reference::path::{eye_ray, follow};
 use catoptric_report::{Report, Table};
-use catoptric_scene::{Compiled, Film, Grid, View};
-use rayon::prelude::*;
 
 use crate::Watch;
-use crate::metrics::differing_pixels;
-use crate::subject::Subject;
-use crate::timing::{Repeat, Times, in_turn};
-use crate::tracer::{STACK_LIMIT, Threads};
+use climbed::{Climbed, Row};
+pub use request::Request;
 use table::COLUMNS;
-
-/// What is measured.
-pub struct Request<'a> {
-    /// Scenes, in order.
-    pub subjects: &'a [Subject],
-    /// A pool of one thread.
-    pub threads: &'a Threads,
-    /// How often.
-    pub repeat: Repeat,
-    /// The engine's instruction set.
-    pub isa: Isa,
-}
 
 /// Measures all of it. The report says that something failed where a rung that promises the
 /// recursion's bits has others.
@@ -56,111 +39,4 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Report {
     }
     report.complete = !watch.stopped();
     report
-}
-
-/// The rungs on one scene.
-struct Climbed {
-    /// From r0 up; the aside last.
-    rows: Vec<Row>,
-    /// Whose picture the others are compared with: the first that holds the paths.
-    judge: Option<&'static str>,
-    /// Reflections of the deepest path.
-    deepest: usize,
-}
-
-/// One rung on one scene.
-struct Row {
-    rung: &'static Rung,
-    /// Of all kinds; `None` where a path is too deep for it.
-    rays: Option<u64>,
-    /// Share of pixels; `None` where there is nothing to compare with. The recursion is what it
-    /// is; another judge does not judge itself.
-    different: Option<f64>,
-    native_stack: Option<usize>,
-    times: Times,
-}
-
-impl Climbed {
-    fn new(subject: &Subject, request: &Request, watch: &dyn Watch) -> Self {
-        let compiled = Compiled::new(&subject.scene);
-        let grid = Grid::new(&View::whole(&subject.scene));
-        let mut film = Film::new(grid.width, grid.height);
-        let pool = request.threads.most();
-        let (deepest, at) = pool.install(|| deepest(&compiled, &grid));
-
-        let settings = Settings { isa: request.isa, stack_limit: STACK_LIMIT };
-        let mut judge: Option<(&'static str, Film)> = None;
-        let mut rows = Vec::new();
-        for rung in RUNGS.iter().chain([&FORWARD]) {
-            if watch.stopped() {
-                break;
-            }
-            let counts = pool.install(|| (rung.render)(&compiled, &grid, &mut film, settings)).ok();
-            let different = match &judge {
-                _ if counts.is_none() => None,
-                Some((_, expected)) => Some(share_that_differs(expected, &film)),
-                None => {
-                    judge = Some((rung.name, film.clone()));
-                    (rung.name == "r0").then_some(0.0)
-                }
-            };
-            let (watched, bytes) = pool.install(|| {
-                native_stack(|watch| (rung.watch)(&compiled, &grid, at, settings, watch))
-            });
-            rows.push(Row {
-                rung,
-                rays: counts.map(|counts| counts.total()),
-                different,
-                native_stack: watched.ok().map(|_| bytes),
-                times: Times::default(),
-            });
-        }
-        let times = in_turn(rows.len(), request.repeat, watch, |i| {
-            rows[i].rays?;
-            let render = || (rows[i].rung.render)(&compiled, &grid, &mut film, settings);
-            Some(request.threads.time(1, render).1)
-        });
-        for (row, times) in rows.iter_mut().zip(times) {
-            row.times = times;
-        }
-        Self { rows, judge: judge.map(|(name, _)| name), deepest }
-    }
-
-    /// How many times as fast as another rung.
-    fn over(&self, other: &str, row: &Row) -> Option<f64> {
-        let other = self.rows.iter().find(|row| row.rung.name == other)?;
-        Some(other.times.min_ms()? / row.times.min_ms()?)
-    }
-}
-
-impl Row {
-    /// Whether it breaks its promise.
-    fn is_wrong(&self) -> bool {
-        self.rung.bit_identical && self.different.is_some_and(|share| share > 0.0)
-    }
-}
-
-/// The share of pixels that differ in some bit.
-fn share_that_differs(expected: &Film, found: &Film) -> f64 {
-    differing_pixels(expected, found) as f64 / expected.pixels().len() as f64
-}
-
-/// Reflections of the deepest path, and the first column and row of an eye ray that has it.
-fn deepest(scene: &Compiled, grid: &Grid) -> (usize, (usize, usize)) {
-    let reflections = |column, row| {
-        let steps = follow(scene, eye_ray(scene, column, row));
-        steps.iter().filter(|step| step.followed).count()
-    };
-    let of_row = |(y, &row): (usize, &f32)| {
-        let columns = grid.columns.iter().enumerate();
-        let paths = columns.map(|(x, &column)| (reflections(column, row), (x, y)));
-        paths.reduce(deeper).expect("a picture has columns")
-    };
-    let rows = grid.rows.par_iter().enumerate().map(of_row);
-    rows.reduce_with(deeper).expect("a picture has rows")
-}
-
-/// The first of equals.
-fn deeper<T>(a: (usize, T), b: (usize, T)) -> (usize, T) {
-    if b.0 > a.0 { b } else { a }
 }

@@ -1,7 +1,8 @@
 //! Stiff and extreme cases against truth.
 //!
 //! ```text
-//! suite.rs        the cases, what they found, and the verdicts
+//! suite.rs        all cases, and the verdicts on them
+//! finding.rs      what a case is asked for, and what it finds
 //! bounds.rs       what every case is held to: the one table
 //! cases.rs        the measurements
 //!   cases/          by what is stiff or extreme
@@ -33,6 +34,7 @@ pub mod condition;
 mod cost;
 mod crops;
 mod exact;
+pub mod finding;
 mod followed;
 mod generic;
 mod given;
@@ -43,12 +45,12 @@ mod rows;
 pub mod search;
 pub mod suite;
 
-use suite::{EXPERIMENTS, Effort, Verdict, verdict};
-
 use catoptric_report::Report;
 
 use crate::Watch;
 use crate::subject::Subject;
+use finding::Effort;
+use suite::{EXPERIMENTS, Verdict, verdict};
 
 /// The suite, or, where scenes are given, its measures of pictures and paths on these.
 ///

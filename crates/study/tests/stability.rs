@@ -10,8 +10,9 @@ use catoptric_scene::{Document, Scene, SceneFormat};
 use catoptric_study::formula::Formula;
 use catoptric_study::stability::backward::{ALLOWED, Judge};
 use catoptric_study::stability::bounds::GROUPS;
+use catoptric_study::stability::finding::{Effort, Finding};
 use catoptric_study::stability::run;
-use catoptric_study::stability::suite::{EXPERIMENTS, Effort, Finding, Verdict, held_to, verdict};
+use catoptric_study::stability::suite::{EXPERIMENTS, Verdict, held_to, verdict};
 use catoptric_study::subject::Subject;
 use catoptric_study::{Unwatched, Watch};
 

@@ -6,7 +6,8 @@ use catoptric_scene::{Compiled, Counts, DepthCount, Grid, View};
 use rayon::prelude::*;
 
 use super::packing::Lengths;
-use super::{Request, Row};
+use super::request::Request;
+use super::row::Row;
 use crate::subject::Subject;
 
 const COLUMNS: &[Column] = &[

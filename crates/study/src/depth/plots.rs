@@ -2,7 +2,7 @@
 
 use catoptric_report::{Plot, Report, Scale, Series};
 
-use super::Row;
+use super::row::Row;
 
 /// Adds time and time per ray against depth.
 pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {

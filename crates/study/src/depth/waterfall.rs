@@ -4,7 +4,7 @@ use catoptric_core::{Isa, Omission, Plan};
 use catoptric_report::{Column, Report, Table};
 use catoptric_scene::{Compiled, Grid, View};
 
-use super::{Mismatch, Request};
+use super::request::{Mismatch, Request};
 use crate::Watch;
 use crate::checked::{Group, check_then_time, rung};
 use crate::subject::Subject;

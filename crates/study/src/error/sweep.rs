@@ -3,10 +3,11 @@
 use catoptric_scene::{Scene, View};
 
 use super::floors::{self, Floor};
+use super::request::Request;
 use super::row::{Parts, Row, Sweep, Unflipped};
 use super::sample::Prepared;
 use super::truth::{self, Settled};
-use super::{Request, size, words};
+use super::{size, words};
 use crate::Watch;
 use crate::formula::Formula;
 use crate::light::LightBounds;

@@ -2,7 +2,8 @@
 
 use catoptric_scene::{Numerics, Scene};
 
-use super::{Enough, Request, enough};
+use super::enough::{Enough, enough};
+use super::request::Request;
 use crate::stability::paths::with_numerics;
 use crate::tracer::Tracer;
 

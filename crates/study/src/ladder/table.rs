@@ -3,7 +3,7 @@
 use catoptric_ladder::FORWARD;
 use catoptric_report::{Cell, Column, Table};
 
-use super::{Climbed, Row};
+use super::climbed::{Climbed, Row};
 
 pub(super) const COLUMNS: &[Column] = &[
     Column { key: "scene", heading: "scene", meaning: "The scene's name." },

@@ -5,6 +5,7 @@
 //!   tangent.rs         growth to first order along a path; closed forms
 //!   orbit.rs           periodic orbits, and eye rays that stay near them
 //!   cases.rs           pairs, three spheres, and whole pictures
+//!   growth.rs          what a case showed, and what theory foretells of it
 //!   report.rs          table and plot
 //! ```
 //!
@@ -17,11 +18,13 @@
 //! [`ULP`]: about what it rounds. So truth holds for f64 as far as that comparison does.
 
 mod cases;
+mod growth;
 mod orbit;
 mod report;
 mod tangent;
 
 pub use cases::{Case, orbits, picture};
+pub use growth::{Growth, LOST};
 pub use orbit::{Aimed, Orbit, RADIUS};
 pub use report::{plot, table};
 pub use tangent::{Spread, largest, periodic_lambda, spreads};
@@ -34,9 +37,6 @@ use super::paths::{Arithmetic, Paths, each_pixel, parting};
 use crate::Watch;
 use cases::Bundle;
 
-/// An error above it, in the case's units, is a lost path.
-pub const LOST: f64 = 1e-3;
-
 /// A bounce is judged while so many paths of truth get there.
 pub const LEAST_PATHS: usize = 8;
 
@@ -48,24 +48,6 @@ pub const ULP: f64 = 9.860_761_315_262_648e-32;
 const NUDGE: f64 = 1e-20;
 const LINEAR: f64 = 1e-6;
 
-/// What one case showed.
-#[derive(Clone, Debug)]
-pub struct Growth {
-    /// Its name.
-    pub name: String,
-    /// Growth per bounce by a closed form, where there is one.
-    pub closed: Option<f64>,
-    /// Growth per bounce along truth's paths to first order: the median over the paths.
-    pub transported: Option<f64>,
-    /// The same between truth's paths and nudged ones.
-    pub nudged: Option<f64>,
-    /// Entry n: truth's paths that have a hit at bounce n.
-    pub living: Vec<usize>,
-    /// For each arithmetic, entry n: the median error at bounce n, in units. As long as
-    /// [`LEAST_PATHS`] live.
-    pub errors: Vec<(Arithmetic, Vec<f64>)>,
-}
-
 /// What one path showed.
 struct Followed {
     bounces: usize,
@@ -73,38 +55,6 @@ struct Followed {
     nudged: Option<f64>,
     /// For each arithmetic, entry n: the error at bounce n.
     errors: Vec<Vec<f64>>,
-}
-
-impl Growth {
-    /// The first bounce at which an arithmetic has lost the path; `None` if it never did.
-    #[must_use]
-    pub fn lost(&self, arithmetic: Arithmetic) -> Option<usize> {
-        let (_, medians) = self.errors.iter().find(|(a, _)| *a == arithmetic)?;
-        medians.iter().position(|median| *median > LOST)
-    }
-
-    /// Where theory loses it: 2^-p Lambda^n = [`LOST`] at n = (p ln 2 + ln LOST)/ln Lambda,
-    /// with the closed form, or else the growth to first order. `None` where errors do not grow.
-    #[must_use]
-    pub fn foretold(&self, arithmetic: Arithmetic) -> Option<f64> {
-        let lambda = self.lambda().filter(|lambda| *lambda > 1.0)?;
-        let digits = f64::from(arithmetic.bits()) * std::f64::consts::LN_2 + LOST.ln();
-        Some(digits / lambda.ln())
-    }
-
-    /// Whether both measured growths are the closed form within 1e-6 of it; `None` without one.
-    #[must_use]
-    pub fn holds(&self) -> Option<bool> {
-        let closed = self.closed?;
-        let is = |found: Option<f64>| found.is_some_and(|x| (x / closed - 1.0).abs() < 1e-6);
-        Some(is(self.transported) && is(self.nudged))
-    }
-
-    /// The growth that theory uses.
-    #[must_use]
-    pub fn lambda(&self) -> Option<f64> {
-        self.closed.or(self.transported)
-    }
 }
 
 /// Measures cases one after the other, until it is told to stop.

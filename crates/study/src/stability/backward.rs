@@ -35,16 +35,18 @@
 //! and where a path meets an edge within reach of any of them, the whole step is excused.
 
 mod moved;
+mod narrow;
 
 use std::sync::OnceLock;
 
 use catoptric_reference::truth::{Precision, TooDeep, Truth};
-use catoptric_scene::{Draft, Scene, Transfer, View};
+use catoptric_scene::{Scene, Transfer, View};
 use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::formula::{Formula, U};
 use crate::metrics::{Metrics, difference, larger};
+use narrow::narrow;
 
 /// Ratio up to which a pixel passes.
 pub const ALLOWED: f64 = 4.0;
@@ -287,20 +289,6 @@ impl Moves {
             moved.map(|scene| Truth::new(&scene, Precision::DoubleDouble)).collect()
         })
     }
-}
-
-/// What an eye ray's direction is known to, in u: 1, or 4 times half the picture's diagonal at
-/// distance 1 where that is less and no mirror sends rays another way.
-fn narrow(scene: &Draft) -> f64 {
-    let materials = scene.spheres.iter().map(|sphere| &sphere.material);
-    let mut materials = materials.chain(scene.planes.iter().map(|plane| &plane.material));
-    if scene.render.max_depth > 0 && materials.any(|material| material.mirror() > 0.0) {
-        return 1.0;
-    }
-    let half_height = (scene.camera.fov.to_radians() / 2.0).tan();
-    let aspect = f64::from(scene.image.width) / f64::from(scene.image.height);
-    let across = 4.0 * half_height * (1.0 + aspect * aspect).sqrt();
-    if across < 1.0 { across } else { 1.0 }
 }
 
 /// Of an error to a spread; no error is none of any spread.

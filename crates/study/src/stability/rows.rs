@@ -4,7 +4,8 @@
 use catoptric_report::{Cell, Column, Table};
 
 use super::cases::refusals::Refusal;
-use super::suite::{Finding, held_to, verdict};
+use super::finding::Finding;
+use super::suite::{held_to, verdict};
 use crate::formula::Formula;
 
 const COLUMNS: &[Column] = &[

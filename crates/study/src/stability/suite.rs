@@ -2,22 +2,7 @@
 
 use super::bounds::{Case, GROUPS, Group};
 use super::cases;
-use crate::formula::Formula;
-
-/// What one case found for one formula.
-#[derive(Clone, Debug)]
-pub struct Finding {
-    /// The case's name in [`GROUPS`].
-    pub case: &'static str,
-    /// Of which formula; `None` where none is asked yet, in validation.
-    pub formula: Option<Formula>,
-    /// What is tested, with its parameters.
-    pub tested: String,
-    /// The measured value.
-    pub measured: f64,
-    /// One sentence: what was seen beside it.
-    pub sentence: String,
-}
+use super::finding::{Effort, Finding};
 
 /// How a finding compares with its bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,21 +33,6 @@ impl Verdict {
     #[must_use]
     pub fn is_expected(self) -> bool {
         matches!(self, Self::Holds | Self::FailsAsKnown(_))
-    }
-}
-
-/// How much is measured. The suite's own sizes by default.
-#[derive(Clone, Copy, Debug)]
-pub struct Effort {
-    /// Drafts of extreme input, of which 44 % are scenes.
-    pub scenes: u64,
-    /// Rays for each parameter of the cases that shoot single rays.
-    pub rays: u64,
-}
-
-impl Default for Effort {
-    fn default() -> Self {
-        Self { scenes: 230_000, rays: 2_000 }
     }
 }
 
@@ -108,33 +78,5 @@ pub fn verdict(finding: &Finding) -> Verdict {
         (true, Some(_)) => Verdict::HoldsNow,
         (false, Some(text)) => Verdict::FailsAsKnown(text),
         (false, None) => Verdict::Fails,
-    }
-}
-
-/// Collects the findings of one experiment.
-pub(crate) struct Findings {
-    all: Vec<Finding>,
-}
-
-impl Findings {
-    pub(crate) fn new() -> Self {
-        Self { all: Vec::new() }
-    }
-
-    /// A measured value.
-    pub(crate) fn push(
-        &mut self,
-        case: &'static str,
-        formula: impl Into<Option<Formula>>,
-        tested: &str,
-        measured: f64,
-        sentence: String,
-    ) {
-        let (formula, tested) = (formula.into(), tested.to_owned());
-        self.all.push(Finding { case, formula, tested, measured, sentence });
-    }
-
-    pub(crate) fn done(self) -> Vec<Finding> {
-        self.all
     }
 }

@@ -2,7 +2,7 @@
 
 use catoptric_report::{Cell, Column, Plot, Scale, Series, Table};
 
-use super::Growth;
+use super::growth::Growth;
 use crate::stability::paths::Arithmetic;
 
 const COLUMNS: &[Column] = &[

@@ -6,7 +6,7 @@
 use catoptric_scene::family::Draws;
 use catoptric_scene::{Draft, Plane, Scene, Sphere};
 
-use super::narrow;
+use super::narrow::narrow;
 use crate::metrics::larger;
 use crate::stability::exact;
 use crate::stability::generic::{across, along, direction, dot, norm, unit};

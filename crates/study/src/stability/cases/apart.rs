@@ -3,8 +3,8 @@
 use catoptric_scene::{Draft, Light, Material, Plane, Sphere};
 
 use super::super::backward::Judge;
+use super::super::finding::{Effort, Finding, Findings};
 use super::super::generic::{PLACE, along, points, unit};
-use super::super::suite::{Effort, Finding, Findings};
 use super::scenes::{sized, workshop};
 use crate::formula::Formula;
 use crate::metrics::larger;

@@ -5,9 +5,9 @@ use catoptric_scene::family::Draws;
 use catoptric_scene::{DoubleDouble, Draft, Light, Sphere, View};
 
 use super::super::exact::{self, Meeting, between, length, vector};
+use super::super::finding::{Effort, Finding, Findings};
 use super::super::generic::{PLACE, across, along, direction, dot, norm, placed, unit};
 use super::super::rays::{Met, Rays, Start};
-use super::super::suite::{Effort, Finding, Findings};
 use super::scenes::{glossy, mirror, sized};
 use crate::formula::Formula;
 use catoptric_reference::truth::{Precision, Truth};

@@ -3,8 +3,8 @@
 use catoptric_reference::truth::{Precision, Truth};
 use catoptric_scene::{Draft, Light, Material, Scene, Sphere, View};
 
+use super::super::finding::{Effort, Finding, Findings};
 use super::super::generic::{PLACE, along, placed};
-use super::super::suite::{Effort, Finding, Findings};
 use super::scenes::{empty_room, glossy, sized, workshop};
 use crate::formula::Formula;
 use crate::light::LightBounds;

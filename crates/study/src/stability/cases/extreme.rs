@@ -7,7 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use catoptric_scene::{Compiled, Draft, Film, Grid, Scalar, Scene, View};
 use rayon::prelude::*;
 
-use super::super::suite::{Effort, Finding, Findings};
+use super::super::finding::{Effort, Finding, Findings};
 use super::edges::{brightest, outside};
 use crate::formula::{Formula, packets, pixels};
 use crate::tracer::{Renders, Tracer};

@@ -1,19 +1,20 @@
 //! What must change nothing: moving the scene, turning it, scaling it, a thing that no ray meets,
 //! stating every surface twice.
 
+mod engines;
 mod turned;
 mod unseen;
 
 use catoptric_reference::truth::{Precision, Truth};
 use catoptric_scene::family::Room;
-use catoptric_scene::{Compiled, Draft, Film, Grid, Material, Scene, View};
+use catoptric_scene::{Draft, Material, View};
 
+use super::super::finding::{Effort, Finding, Findings};
 use super::super::generic::{along, placed, points};
-use super::super::suite::{Effort, Finding, Findings};
 use super::scenes::{sized, workshop};
-use crate::formula::{Formula, pixels};
+use crate::formula::Formula;
 use crate::metrics::larger;
-use crate::tracer::{Renders, Tracer};
+use engines::{both, differing};
 
 pub(crate) fn run(_: Effort) -> Vec<Finding> {
     let mut findings = Findings::new();
@@ -74,23 +75,6 @@ fn scaled(findings: &mut Findings) {
     }
 }
 
-/// The pictures of both engines, one after the other.
-fn both(formula: Formula, draft: &Draft) -> Vec<[f64; 3]> {
-    fn recursion<S: Renders>(scene: &Scene) -> Vec<[f64; 3]> {
-        let grid = Grid::of(&View::whole(scene));
-        let mut film: Film<S> = Film::black(grid.width, grid.height);
-        Tracer::Recursive.render(&Compiled::of(scene), &grid, &mut film).expect("depth 20");
-        pixels(&film)
-    }
-    let mut both = formula.picture(draft).expect("depth 20");
-    let scene = formula.scene(draft);
-    both.extend(match formula {
-        Formula::RobustF64 => recursion::<f64>(&scene),
-        Formula::TextbookF32 | Formula::RobustF32 => recursion::<f32>(&scene),
-    });
-    both
-}
-
 /// The lowest index is seen, so a second statement in another colour never shows.
 fn twice(findings: &mut Findings) {
     const CASE: &str = "coincident surfaces";
@@ -122,9 +106,4 @@ fn twice(findings: &mut Findings) {
         let sum = workshop + room + of_truth[0] + of_truth[1];
         findings.push(CASE, formula, tested, sum as f64, sentence);
     }
-}
-
-/// Pixels with other bits.
-fn differing(a: &[[f64; 3]], b: &[[f64; 3]]) -> usize {
-    a.iter().zip(b).filter(|(a, b)| a.map(f64::to_bits) != b.map(f64::to_bits)).count()
 }

@@ -4,9 +4,9 @@ use catoptric_scene::family::Draws;
 use catoptric_scene::{Draft, Sphere};
 
 use super::super::exact::{Meeting, Vector, between, length, minus, vector};
+use super::super::finding::{Effort, Finding, Findings};
 use super::super::generic::{PLACE, across, along, direction, norm, unit};
 use super::super::rays::Rays;
-use super::super::suite::{Effort, Finding, Findings};
 use super::scenes::mirror;
 use crate::formula::Formula;
 use crate::metrics::larger;

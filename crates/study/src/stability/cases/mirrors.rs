@@ -3,9 +3,9 @@
 use catoptric_scene::family::Room;
 use catoptric_scene::{Draft, View};
 
+use super::super::finding::{Effort, Finding, Findings};
 use super::super::generic::{norm, placed};
 use super::super::paths::Paths;
-use super::super::suite::{Effort, Finding, Findings};
 use super::scenes::{empty_room, sized};
 use crate::formula::{Formula, packets};
 use crate::metrics::larger;

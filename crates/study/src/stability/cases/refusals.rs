@@ -2,7 +2,7 @@
 
 use catoptric_scene::{Draft, Light, Material, Plane, Scene, Sphere};
 
-use super::super::suite::{Effort, Finding, Findings};
+use super::super::finding::{Effort, Finding, Findings};
 use super::scenes::mirror;
 
 /// A number of a draft, the key that an error names it by, and values that are not allowed.

@@ -7,8 +7,8 @@ use catoptric_scene::{Camera, Draft};
 
 use super::super::amplification::Orbit;
 use super::super::backward::{ALLOWED, Judge};
+use super::super::finding::Findings;
 use super::super::generic::{along, norm, placed};
-use super::super::suite::Findings;
 use super::scenes::{between_balls, sized, workshop};
 use crate::formula::Formula;
 

@@ -1,8 +1,8 @@
 //! The workshop's scene, which is itself stiff: a ground of radius 10 000 seen from 4 units.
 
 use super::super::backward::Judge;
+use super::super::finding::{Effort, Finding, Findings};
 use super::super::generic::placed;
-use super::super::suite::{Effort, Finding, Findings};
 use super::scenes;
 use crate::formula::Formula;
 

@@ -3,10 +3,10 @@
 use catoptric_scene::Draft;
 use catoptric_scene::family::Kissing;
 
+use super::super::super::finding::Findings;
 use super::super::super::generic::{along, dot, points};
-use super::super::super::suite::Findings;
 use super::super::scenes::{sized, workshop};
-use super::{both, differing};
+use super::engines::{both, differing};
 use crate::formula::Formula;
 
 /// Turned by matrices of whole numbers, which f64 states exactly: so are a scene of coordinates

@@ -3,10 +3,10 @@
 use catoptric_scene::family::Room;
 use catoptric_scene::{Draft, Material, Plane, Sphere};
 
+use super::super::super::finding::Findings;
 use super::super::super::generic::{PLACE, along, placed, unit};
-use super::super::super::suite::Findings;
 use super::super::scenes::{sized, workshop};
-use super::{both, differing};
+use super::engines::{both, differing};
 use crate::formula::Formula;
 
 /// One thing more at a time, from a thousandth to 1e12 large.
