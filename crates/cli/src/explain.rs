@@ -14,8 +14,9 @@ use serde::Serialize;
 use crate::exit::{Exit, Failure, say};
 use crate::format::png;
 use crate::input::is_stream;
-use crate::memory::{Size, granted};
+use crate::memory::granted;
 use crate::output::{Target, commit};
+use crate::size::Size;
 use crate::{interrupt, json, machine, scene};
 
 /// Explain a scene, or one pixel's ray from the eye and back

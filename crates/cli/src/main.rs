@@ -4,7 +4,7 @@
 //! render.rs     scene to picture: the order of events
 //!   render/       its options, its input, its engines, progress, statistics
 //! compare.rs    two pictures: what differs
-//!   compare/      measuring differences, reporting them
+//!   compare/      its options, measuring differences, reporting them
 //! generate.rs   families of scenes: options to scene to file
 //!   generate/     the families' options, the command that makes a file again
 //! explain.rs    what a scene needs, or the life of one eye ray, as words, JSON or a page
@@ -20,7 +20,8 @@
 //! machine.rs    instruction sets
 //!   machine/      threads and their stacks, limits of the process and of its memory cgroup
 //! arguments.rs  the command line, and what is wrong with it
-//! memory.rs     sizes, and what a rendering will take
+//! memory.rs     what a rendering will take
+//! size.rs       sizes in bytes
 //! whole.rs      whole numbers of the command line
 //! exit.rs       exit codes and error messages
 //! ```
@@ -39,6 +40,7 @@ mod memory;
 mod output;
 mod render;
 mod scene;
+mod size;
 mod study;
 mod whole;
 

@@ -5,6 +5,7 @@
 //! over.rs      whether a file can be renamed over what stands there
 //! beside.rs    a file beside its later name
 //! streams.rs   files that the caller opened
+//! folder.rs    the folder of a path
 //! ```
 //!
 //! A regular file is written beside its name and renamed: under the asked name there is
@@ -13,6 +14,7 @@
 //! directly, since a rename would replace it, and so is what the caller opened.
 
 mod beside;
+mod folder;
 mod over;
 mod place;
 mod streams;

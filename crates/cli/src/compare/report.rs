@@ -5,8 +5,8 @@ use std::fmt;
 use catoptric_scene::shown;
 use serde::Serialize;
 
-use super::Options;
 use super::difference::{Difference, First, Pair, Values, ulps};
+use super::options::Options;
 use super::verdict::Verdict;
 use crate::exit::NAME;
 use crate::input;

@@ -1,8 +1,8 @@
 //! The text in front of PPM, PGM and PFM pixels: a magic word and three numbers, separated by
 //! blanks, then one blank. A `#` begins a comment up to the line's end.
 
-use super::Unreadable;
 use super::source::Source;
+use super::unreadable::Unreadable;
 
 /// Bytes of a header, comments included, that are read in search of its end.
 const HEADER_BYTES: u64 = 1 << 16;

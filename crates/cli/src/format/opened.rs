@@ -1,11 +1,12 @@
 //! A picture whose header has been read, and no more: what it claims can be weighed before
 //! anything is taken for it.
 
-use std::io;
 use std::path::Path;
 
+use super::picture::Picture;
 use super::source::Source;
-use super::{Picture, pfm, png, ppm};
+use super::unreadable::Unreadable;
+use super::{pfm, png, ppm};
 use crate::exit::Failure;
 use crate::input;
 
@@ -89,32 +90,5 @@ fn pixels(from: Source) -> Result<Pixels, Unreadable> {
             "is no picture that is known: allowed are PNG, PPM (P6, P3), PGM (P5, P2) and PFM (PF)"
                 .to_owned(),
         )),
-    }
-}
-
-/// Why a picture could not be read; the text continues the file's name.
-#[derive(Debug)]
-pub(super) enum Unreadable {
-    /// Broken.
-    Bad(String),
-    /// Sound, but not what is compared here.
-    Other(String),
-    /// Not given by the system.
-    Io(io::Error),
-}
-
-impl Unreadable {
-    fn of(self, name: &str) -> Failure {
-        match self {
-            Self::Bad(what) => Failure::bad_input(format_args!("{name} {what}")),
-            Self::Other(what) => Failure::wrong_use(format_args!("{name} {what}")),
-            Self::Io(error) => Failure::bad_input(format_args!("{name} cannot be read: {error}")),
-        }
-    }
-}
-
-impl From<io::Error> for Unreadable {
-    fn from(error: io::Error) -> Self {
-        Self::Io(error)
     }
 }

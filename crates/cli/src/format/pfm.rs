@@ -6,9 +6,9 @@ use std::io::{self, Write};
 
 use catoptric_scene::Film;
 
-use super::Unreadable;
 use super::header::Header;
 use super::source::Source;
+use super::unreadable::Unreadable;
 
 /// Bytes of one row.
 pub(super) fn row_bytes(width: u32) -> u64 {

@@ -10,7 +10,7 @@ use png::{BitDepth, ColorType, Compression, Encoder, Filter, ScaledFloat, SrgbRe
 
 pub(super) use reading::Pixels;
 
-use super::Levels;
+use super::picture::Levels;
 
 pub(super) fn write(levels: &Levels, transfer: Transfer, to: &mut dyn Write) -> io::Result<()> {
     let Levels { width, height, ref pixels } = *levels;

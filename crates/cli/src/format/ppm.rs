@@ -4,8 +4,9 @@
 use std::io::{self, Write};
 
 use super::header::Header;
+use super::picture::Levels;
 use super::source::Source;
-use super::{Levels, Unreadable};
+use super::unreadable::Unreadable;
 
 pub(super) fn write(levels: &Levels, to: &mut dyn Write) -> io::Result<()> {
     write!(to, "P6\n{} {}\n255\n", levels.width, levels.height)?;

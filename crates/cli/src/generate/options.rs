@@ -4,18 +4,19 @@
 mod corridor;
 mod kissing;
 mod lattice;
+mod own;
 mod random;
 mod room;
 mod sphereflake;
 
 use std::path::{Path, PathBuf};
 
-use catoptric_scene::family::OutOfRange;
 use catoptric_scene::{Draft, SceneFormat};
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::recipe::Recipe;
 use crate::whole::whole;
+use own::Own;
 
 /// Make the scene of a family from a few numbers and a seed
 ///
@@ -53,18 +54,6 @@ pub(super) struct Asked<F: Args> {
     own: F,
     #[command(flatten)]
     common: Common,
-}
-
-/// What a family's own options make.
-pub(super) trait Own {
-    /// The subcommand's name.
-    fn name(&self) -> &'static str;
-
-    /// The scene.
-    fn draft(&self, seed: u64) -> Result<Draft, OutOfRange>;
-
-    /// The command with every own option.
-    fn recipe(&self) -> Recipe;
 }
 
 impl Family {

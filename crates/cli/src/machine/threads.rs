@@ -6,7 +6,7 @@ use std::thread;
 
 use super::limits;
 use crate::exit::Failure;
-use crate::memory::Size;
+use crate::size::Size;
 
 /// Bytes of stack that suffice for all but the recursion.
 pub(crate) const STACK: usize = 2 << 20;

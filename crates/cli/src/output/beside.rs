@@ -11,7 +11,7 @@ use std::path::Path;
 
 use tempfile::{NamedTempFile, TempPath};
 
-use super::place::folder;
+use super::folder::folder;
 use crate::interrupt::unfinished;
 
 /// What the name of each ends with.

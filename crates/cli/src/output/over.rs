@@ -3,7 +3,7 @@
 use std::fs::{self, Metadata};
 use std::path::Path;
 
-use super::place::folder;
+use super::folder::folder;
 
 /// How a complete file comes to its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,6 +4,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
+use super::folder::folder;
 use super::over::{Over, over};
 use super::streams;
 use crate::input::is_stream;
@@ -144,13 +145,5 @@ fn true_folder(folder: &Path) -> Result<PathBuf, String> {
             Err("a folder in its path is a file".to_owned())
         }
         Err(error) => Err(format!("folder {}: {error}; make it first", folder.display())),
-    }
-}
-
-/// The folder that a file is in.
-pub(super) fn folder(path: &Path) -> &Path {
-    match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
     }
 }

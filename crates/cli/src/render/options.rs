@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use super::engine::{Engine, Precision};
 use super::progress::When;
 use crate::format::Format;
-use crate::memory::Size;
+use crate::size::Size;
 use crate::whole::whole;
 
 /// Render a scene to a picture

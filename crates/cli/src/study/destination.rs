@@ -2,7 +2,6 @@
 
 mod earlier;
 
-use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -12,7 +11,7 @@ use super::options::{Common, Study};
 use crate::exit::{Failure, say};
 use crate::input::is_stream;
 use crate::output::{Target, commit};
-use earlier::Earlier;
+use earlier::{Earlier, is_of_a_report};
 
 /// Looked at before hours of measuring.
 pub(super) struct Destination {
@@ -22,9 +21,6 @@ pub(super) struct Destination {
     json: bool,
     quiet: bool,
 }
-
-/// What the files of a report end with.
-const ENDINGS: [&str; 6] = ["html", "json", "md", "csv", "svg", "png"];
 
 impl Destination {
     /// Makes the folder, if one is asked for and is not there.
@@ -117,11 +113,4 @@ fn in_the_way(folder: &Path, study: &str) -> Vec<PathBuf> {
         is_of_a_report(name) && rest.is_some_and(|rest| rest.starts_with(['.', '-']))
     };
     names.filter(of_the_study).map(|name| folder.join(name)).collect()
-}
-
-/// Whether a name can be that of a report's file: in the folder, and of one of its formats.
-fn is_of_a_report(name: &str) -> bool {
-    let path = Path::new(name);
-    let ending = path.extension().and_then(OsStr::to_str);
-    path.file_name() == Some(OsStr::new(name)) && ending.is_some_and(|e| ENDINGS.contains(&e))
 }

@@ -2,8 +2,9 @@
 
 use png::{BitDepth, Decoder, DecodingError, Limits, Reader, Transformations};
 
+use crate::format::picture::Levels;
 use crate::format::source::Source;
-use crate::format::{Levels, Unreadable};
+use crate::format::unreadable::Unreadable;
 
 /// Bytes that chunks other than the picture may take. Text and colour profiles are skipped.
 const CHUNK_BYTES: usize = 1 << 20;

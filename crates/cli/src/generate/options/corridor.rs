@@ -4,7 +4,7 @@ use catoptric_scene::Draft;
 use catoptric_scene::family::{Corridor, OutOfRange};
 use clap::Args;
 
-use super::Own;
+use super::own::Own;
 use crate::generate::recipe::Recipe;
 
 /// Two mirrors face each other, balls between them

@@ -4,7 +4,7 @@ use catoptric_scene::Draft;
 use catoptric_scene::family::{Arrangement, Kissing, OutOfRange};
 use clap::{Args, ValueEnum};
 
-use super::Own;
+use super::own::Own;
 use crate::generate::recipe::Recipe;
 
 /// Mirror spheres that touch: a cluster, a ring or a chain

@@ -4,7 +4,7 @@ use catoptric_scene::Draft;
 use catoptric_scene::family::{Lattice, OutOfRange};
 use clap::Args;
 
-use super::Own;
+use super::own::Own;
 use crate::generate::recipe::Recipe;
 
 /// Equal balls on a cubic grid

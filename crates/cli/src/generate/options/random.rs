@@ -4,7 +4,7 @@ use catoptric_scene::Draft;
 use catoptric_scene::family::{OutOfRange, Placement, Random};
 use clap::Args;
 
-use super::Own;
+use super::own::Own;
 use crate::generate::recipe::Recipe;
 
 /// A cloud of balls above a floor, radii over decades

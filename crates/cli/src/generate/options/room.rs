@@ -4,7 +4,7 @@ use catoptric_scene::Draft;
 use catoptric_scene::family::{OutOfRange, Room};
 use clap::Args;
 
-use super::Own;
+use super::own::Own;
 use crate::generate::recipe::Recipe;
 
 /// A closed mirror sphere, balls and the eye inside

@@ -4,7 +4,7 @@ use catoptric_scene::Draft;
 use catoptric_scene::family::{OutOfRange, Sphereflake};
 use clap::Args;
 
-use super::Own;
+use super::own::Own;
 use crate::generate::recipe::Recipe;
 
 /// A ball with nine children of a third of its size, each with nine children, ...

@@ -4,6 +4,7 @@
 //! a file that is listed is removed only if it holds what the list says, so that it was there
 //! as it is when the list was made.
 
+use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
@@ -11,7 +12,8 @@ use std::path::Path;
 use catoptric_report::{SCHEMA, Sum};
 use serde::Deserialize;
 
-use super::is_of_a_report;
+/// What the files of a report end with.
+const ENDINGS: [&str; 6] = ["html", "json", "md", "csv", "svg", "png"];
 
 /// The longest document that is read; real ones have some hundred kilobytes.
 const MOST: u64 = 256 << 20;
@@ -52,6 +54,13 @@ impl Earlier {
         }
         kept
     }
+}
+
+/// Whether a name can be that of a report's file: in the folder, and of one of its formats.
+pub(super) fn is_of_a_report(name: &str) -> bool {
+    let path = Path::new(name);
+    let ending = path.extension().and_then(OsStr::to_str);
+    path.file_name() == Some(OsStr::new(name)) && ending.is_some_and(|e| ENDINGS.contains(&e))
 }
 
 /// What a regular file holds, if it has at most that many bytes. Opening anything else, such as
