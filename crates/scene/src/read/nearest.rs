@@ -24,24 +24,14 @@ pub(super) fn nearest<'a>(
         .or(longer)
 }
 
-/// Letters to insert, delete or exchange to make one word the other (Levenshtein), row by
-/// row; words whose lengths alone differ by more than the limit are not compared.
+/// The Levenshtein distance of two words: letters to insert, delete or exchange.
+///
+/// Words whose lengths alone differ by more than the limit are not compared.
 fn distance(a: &str, b: &str, limit: usize) -> usize {
     if a.chars().count().abs_diff(b.chars().count()) > limit {
         return usize::MAX;
     }
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, letter) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, &other) in b.iter().enumerate() {
-            let exchange = diagonal + usize::from(letter != other);
-            diagonal = row[j + 1];
-            row[j + 1] = exchange.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
+    strsim::levenshtein(a, b)
 }
 
 /// The known words, the first twenty of them, and the one that was probably meant.
