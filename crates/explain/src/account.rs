@@ -74,7 +74,7 @@ struct Depth {
 #[derive(Debug, Serialize)]
 struct Cap {
     max_depth: u32,
-    /// Of a channel, linear, in exact arithmetic, against the scene's own max_depth; known
+    /// For a channel, linear, in exact arithmetic, against the scene's own max_depth; known
     /// before anything is rendered. Null: no bound.
     bound: Option<f64>,
     /// The same against a max_depth without end.

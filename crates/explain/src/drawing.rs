@@ -1,6 +1,6 @@
 //! The path in an orthographic view of the scene, as SVG.
 //!
-//! Of three views (from above, from the side, along the camera's) the one in which the mirrored
+//! The view is that of three (from above, from the side, along the camera's) in which the mirrored
 //! rays are longest. All stand upright with the scene, however the camera is inclined, so that
 //! floors and walls are seen edge on.
 

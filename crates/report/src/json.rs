@@ -15,7 +15,7 @@ use crate::table::{Cell, Column, Table};
 /// What the document says that it is.
 pub const SCHEMA: &str = "catoptric-study";
 
-/// Of the document: grows when a key changes its meaning or goes.
+/// The document's version: it grows when a key changes its meaning or goes.
 const VERSION: u32 = 2;
 
 /// The document, indented, with a line break at the end.

@@ -13,9 +13,9 @@ pub struct Plot {
     pub x: String,
     /// Label of the vertical axis, with its unit.
     pub y: String,
-    /// Of the horizontal axis.
+    /// How the horizontal axis is divided.
     pub x_scale: Scale,
-    /// Of the vertical axis.
+    /// How the vertical axis is divided.
     pub y_scale: Scale,
     /// In the order of the legend; at most eight, so that colours tell them apart.
     pub series: Vec<Series>,
@@ -28,7 +28,7 @@ pub enum Scale {
     Linear,
     /// By powers of ten; points that are not positive are not drawn.
     Log,
-    /// By doublings of x + 1, for depths: 0, 1, 3, 7, 15 ... stand equally far apart. Of the
+    /// By doublings of x + 1, for depths: 0, 1, 3, 7, 15 ... stand equally far apart. For the
     /// horizontal axis alone; points below 0 are not drawn.
     Doublings,
 }
@@ -38,7 +38,7 @@ pub enum Scale {
 pub struct Series {
     /// Its name in the legend.
     pub name: String,
-    /// Its points, in the order in which they are joined. Those not finite are not drawn.
+    /// Its points, in the order in which they are joined. Points that are not finite are not drawn.
     pub points: Vec<(f64, f64)>,
     /// A bound or a theory, not a measurement: drawn dashed, without marks.
     pub dashed: bool,

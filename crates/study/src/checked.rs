@@ -49,7 +49,7 @@ pub enum Outcome {
 /// Two that should be the same are not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Difference {
-    /// So many pixels differ in some bit.
+    /// How many pixels differ in some bit.
     #[error("{0} pixels of its picture are not the recursion's")]
     Pixels(usize),
     /// Some ray count differs.

@@ -24,7 +24,7 @@ impl Formula {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::TextbookF32, Self::RobustF32, Self::RobustF64];
 
-    /// Those in f32.
+    /// The formulas in f32.
     pub const F32: [Self; 2] = [Self::TextbookF32, Self::RobustF32];
 
     /// Its name in reports.

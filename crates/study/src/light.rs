@@ -44,13 +44,13 @@ struct Surface {
 }
 
 impl LightBounds {
-    /// Of a scene, for every channel.
+    /// Bounds of a scene's light, for every channel.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         Self::of(scene, &[0, 1, 2])
     }
 
-    /// Of a scene, for one channel.
+    /// Bounds of a scene's light, for one channel.
     ///
     /// # Panics
     /// If there is no such channel.

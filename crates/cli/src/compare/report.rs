@@ -37,7 +37,7 @@ pub(super) struct Report {
     not_finite: u64,
     /// Pixels whose 8-bit levels differ (f32: quantised with the linear transfer).
     level_pixels: u64,
-    /// Those that differ by more than one level.
+    /// Pixels whose levels differ by more than one.
     level_pixels_over_one: u64,
     /// `--tolerance`; null where it was not given.
     tolerance: Option<u8>,

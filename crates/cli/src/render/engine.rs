@@ -66,7 +66,7 @@ pub(super) struct Tracing<'a> {
 pub(super) struct Rendered {
     pub(super) picture: Picture,
     pub(super) counts: Counts,
-    /// Of the packet engine.
+    /// The packet engine's plan.
     pub(super) plan: Option<Plan>,
     pub(super) compile: Duration,
     pub(super) trace: Duration,

@@ -58,7 +58,7 @@ pub(super) struct Lamps {
     pub(super) stated: usize,
     /// Behind some primitive for all that can be seen: they light nothing.
     pub(super) hidden: usize,
-    /// Of intensity 0.
+    /// Lamps of intensity 0.
     pub(super) off: usize,
     /// Whose channels differ.
     pub(super) coloured: usize,

@@ -6,7 +6,7 @@ use catoptric_study::omissions::{Saving, savings};
 use catoptric_study::tracer::TooDeep;
 use serde::Serialize;
 
-/// So many primitives at most are asked in pairs.
+/// Primitives that are asked in pairs, at most.
 const PAIRED: usize = 2048;
 
 /// What is left out of every scene's rendering.

@@ -16,7 +16,7 @@ impl Account {
     /// Writes it in words, for a terminal of 80 columns.
     ///
     /// # Errors
-    /// Those of `to`.
+    /// What `to` fails with.
     pub fn write(&self, to: &mut dyn Write) -> io::Result<()> {
         write(self, to)
     }

@@ -7,7 +7,7 @@ use super::window::{HEIGHT, WIDTH, Window};
 /// Hits that carry their number.
 const NUMBERED: usize = 40;
 
-/// So many hits are told with what was hit; where there are more, there is no room.
+/// Hits up to which each is told with what was hit; where there are more, there is no room.
 pub(super) const NAMED: usize = 12;
 
 /// Units that a letter of a name takes, and a line.

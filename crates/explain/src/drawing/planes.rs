@@ -81,7 +81,7 @@ impl<'a> Seen<'a> {
         }
     }
 
-    /// Of other planes, a piece at each hit.
+    /// Pieces of all other planes, one at each hit.
     pub(super) fn tangents(
         &self,
         window: &Window,

@@ -74,7 +74,7 @@ enum Numbers {
         local: [f32; 3],
         k: f32,
         followed: bool,
-        /// Of a hit that is not followed; null otherwise.
+        /// Why a hit is not followed; null where it is.
         last: Option<Last>,
     },
     Fold {

@@ -23,7 +23,7 @@ impl Life<'_> {
     /// Writes it in words, for a terminal of 80 columns.
     ///
     /// # Errors
-    /// Those of `to`.
+    /// What `to` fails with.
     pub fn write(&self, to: &mut dyn Write) -> io::Result<()> {
         write(self, to)
     }

@@ -63,7 +63,7 @@ impl Sweep {
 }
 
 impl Parts {
-    /// Of the error of unflipped pixels: a picture is no further from truth than from truth at
+    /// Bounds the error of unflipped pixels: a picture is no further from truth than from truth at
     /// its setting, and that from truth.
     pub(super) fn bound(&self) -> Option<f64> {
         Some(self.bound_truncation + self.unflipped?.floor.max)

@@ -18,7 +18,7 @@ pub(super) struct Work<S: Scalar> {
 }
 
 impl Prepared {
-    /// Of a scene that has the formula's numerics.
+    /// Prepares a scene that has the formula's numerics.
     pub(super) fn new(formula: Formula, scene: &Scene, view: &View) -> Self {
         match formula {
             Formula::RobustF64 => Self::F64(Work::new(scene, view)),

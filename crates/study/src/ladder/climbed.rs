@@ -26,7 +26,7 @@ pub(super) struct Climbed {
 /// One rung on one scene.
 pub(super) struct Row {
     pub(super) rung: &'static Rung,
-    /// Of all kinds; `None` where a path is too deep for it.
+    /// Rays of all kinds; `None` where a path is too deep for it.
     pub(super) rays: Option<u64>,
     /// Share of pixels; `None` where there is nothing to compare with. The recursion is what it
     /// is; another judge does not judge itself.

@@ -91,7 +91,7 @@ struct Moves {
     /// In the picture's unit.
     floor: f64,
     scenes: OnceLock<Vec<Truth>>,
-    /// Of each pixel that was asked for: its spread by the eye ray and by all input.
+    /// For each pixel that was asked for: its spread by the eye ray and by all input.
     spreads: Vec<OnceLock<[f64; 2]>>,
 }
 
@@ -291,7 +291,7 @@ impl Moves {
     }
 }
 
-/// Of an error to a spread; no error is none of any spread.
+/// The ratio of an error to a spread; no error is none of any spread.
 fn ratio(error: f64, spread: f64) -> f64 {
     if error == 0.0 { 0.0 } else { error / spread }
 }

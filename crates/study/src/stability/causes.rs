@@ -64,7 +64,7 @@ impl Cause {
 /// A picture's error by cause.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Causes {
-    /// Of every pixel, row by row.
+    /// The cause of every pixel's error, row by row.
     pub of_pixels: Vec<Cause>,
     /// In the order of [`Cause::ALL`].
     pub shares: Vec<Share>,

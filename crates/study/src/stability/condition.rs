@@ -59,11 +59,11 @@ pub struct Condition {
 pub struct Foretold {
     /// Pixels off by more than one 8-bit level.
     pub wrong: u64,
-    /// Of those, pixels whose error is at most [`FACTOR`] times their value.
+    /// Wrong pixels whose error is at most [`FACTOR`] times their value.
     pub foretold: u64,
     /// Pixels that could be wrong: [`FACTOR`] times their value is more than one level.
     pub flagged: u64,
-    /// Of those, pixels that are wrong.
+    /// Flagged pixels that are wrong.
     pub flagged_wrong: u64,
 }
 

@@ -70,7 +70,7 @@ pub(crate) fn table() -> Table {
 struct Cost {
     /// ms
     least: [f64; 2],
-    /// Of robust's time over textbook's.
+    /// The median of robust's time over textbook's.
     median: f64,
 }
 

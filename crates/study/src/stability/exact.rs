@@ -43,7 +43,7 @@ pub(crate) struct Meeting {
 }
 
 impl Meeting {
-    /// Of a ray and a sphere.
+    /// Makes it for a ray and a sphere.
     pub(crate) fn new(origin: Vector, direction: Vector, center: Vector, radius: f64) -> Self {
         let r = DoubleDouble::from(radius);
         let f = minus(center, origin);

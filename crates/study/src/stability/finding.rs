@@ -22,7 +22,7 @@ impl Default for Effort {
 pub struct Finding {
     /// The case's name in [`super::bounds::GROUPS`].
     pub case: &'static str,
-    /// Of which formula; `None` where none is asked yet, in validation.
+    /// The formula that was used; `None` where none is asked yet, in validation.
     pub formula: Option<Formula>,
     /// What is tested, with its parameters.
     pub tested: String,

@@ -42,7 +42,7 @@ pub struct Fault {
 pub struct Found {
     /// Generated drafts that are scenes.
     pub scenes: u64,
-    /// Of them, those with something else than background in the picture.
+    /// Scenes with something else than background in the picture.
     pub seen: u64,
     /// One for each scene and formula that fails, by seed.
     pub faults: Vec<Fault>,

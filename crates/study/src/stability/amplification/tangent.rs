@@ -73,7 +73,7 @@ pub fn periodic_lambda(flight: f64, gain: f64) -> f64 {
 struct Mirror {
     /// Outward.
     normal: DVec3,
-    /// Of the angle of incidence; negative from inside, which makes a mirror hollow.
+    /// Cosine of the angle of incidence; negative from inside, which makes a mirror hollow.
     cosine: f64,
     /// 1/R; 0 for a plane.
     curvature: f64,
