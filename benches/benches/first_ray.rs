@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use catoptric_benches::crowds::Crowd;
 use catoptric_benches::subject::Subject;
 use catoptric_benches::test_mode;
-use catoptric_core::{Isa, Plan, Settings, render_planned};
+use catoptric_core::{Engine, Isa, Plan, Settings};
 use catoptric_scene::Compiled;
 use catoptric_tests::identity::pool;
 use catoptric_tests::scenes::sized;
@@ -49,20 +49,15 @@ fn group(criterion: &mut Criterion, crowd: Crowd) {
             bencher.iter_with_large_drop(|| Plan::new(black_box(compiled), grid));
         });
         let (plan, mut film) = (Plan::new(compiled, grid), subject.film());
+        let engine = Engine::new(compiled).with(settings);
         group.bench_function(BenchmarkId::new("pixel", balls), |bencher| {
             bencher.iter_custom(|times| {
                 pool(1).install(|| {
                     let start = Instant::now();
                     for _ in 0..times {
-                        render_planned(
-                            black_box(compiled),
-                            &plan,
-                            grid,
-                            &mut film,
-                            settings,
-                            &|_| (),
-                        )
-                        .expect("no path is deep");
+                        black_box(engine)
+                            .render_planned(&plan, &mut film)
+                            .expect("no path is deep");
                     }
                     start.elapsed()
                 })

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use catoptric_benches::scenes::{corridor, flake, workshop};
 use catoptric_benches::subject::Subject;
 use catoptric_benches::test_mode;
-use catoptric_core::{Isa, Plan, Settings, render_planned};
+use catoptric_core::{Engine, Isa, Plan, Settings};
 use catoptric_scene::Draft;
 use catoptric_tests::identity::pool;
 use catoptric_tests::scenes::{named, sized};
@@ -45,10 +45,10 @@ fn group(criterion: &mut Criterion, name: &str, draft: &Draft, depth: u32) {
     let subject = Subject::checked(&title, &sized(draft, width, height, depth));
     let plan = Plan::new(&subject.compiled, &subject.grid);
     let mut plans = vec![("all-made".to_owned(), plan.clone())];
-    for omission in plan.omissions.iter() {
+    for omission in plan.omissions().iter() {
         plans.push((format!("without-{}", omission.name()), plan.clone().without(omission)));
     }
-    plans.push(("none-made".to_owned(), Plan::everything(&subject.compiled, &subject.grid)));
+    plans.push(("none-made".to_owned(), plan.clone().everything()));
 
     let settings = Settings { isa: Isa::detected(), stack_limit: 1 << 30 };
     let mut group = criterion.benchmark_group(&title);
@@ -57,10 +57,11 @@ fn group(criterion: &mut Criterion, name: &str, draft: &Draft, depth: u32) {
         group.bench_function(id, |bencher| {
             bencher.iter_custom(|times| {
                 pool(1).install(|| {
-                    let (scene, grid) = (&subject.compiled, &subject.grid);
+                    let engine = Engine::new(&subject.compiled).with(settings);
                     let start = Instant::now();
                     for _ in 0..times {
-                        render_planned(scene, &plan, grid, &mut film, settings, &|_| ())
+                        engine
+                            .render_planned(&plan, &mut film)
                             .expect("the engine's stack holds the path");
                     }
                     start.elapsed()

@@ -4,7 +4,7 @@ use std::fmt;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use catoptric_core::{Isa, Settings};
+use catoptric_core::{Engine, Isa, Settings};
 use catoptric_scene::Film;
 use catoptric_tests::identity::pool;
 
@@ -71,7 +71,9 @@ impl Runner {
                 .expect("the recursion's stack holds the path"),
             Tracer::Engine(isa) => {
                 let settings = Settings { isa, stack_limit: STACK_LIMIT };
-                catoptric_core::render(scene, grid, film, settings, &|_| ())
+                Engine::new(scene)
+                    .with(settings)
+                    .render(grid, film)
                     .expect("the engine's stack holds the path")
             }
         };

@@ -8,7 +8,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-use catoptric_core::{Isa, PacketScalar, Settings, render_levels};
+use catoptric_core::{Engine, Isa, Levels, PacketScalar, Settings};
 use catoptric_reference::TooDeep;
 use catoptric_scene::{Compiled, Counts, Film, Grid, Quantiser, Scene, SceneFormat, View};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -115,7 +115,7 @@ pub fn packets<S: Real>(
     let mut film = Film::black(grid.width, grid.height);
     let settings = Settings { isa: backend.isa, stack_limit: 8 << 30 };
     let pool = pool(backend.threads);
-    let counts = pool.install(|| catoptric_core::render(scene, grid, &mut film, settings, &|_| ()));
+    let counts = pool.install(|| Engine::new(scene).with(settings).render(grid, &mut film));
     (film, counts.expect("the engine's stack holds the path"))
 }
 
@@ -134,7 +134,8 @@ pub fn packet_levels(
     let settings = Settings { isa: backend.isa, stack_limit: 8 << 30 };
     let pool = pool(backend.threads);
     let rendered = pool.install(|| {
-        render_levels(scene, grid, quantiser, &mut levels, settings, &|_| ()).map(|_| ())
+        let target = Levels { quantiser, pixels: &mut levels };
+        Engine::new(scene).with(settings).render(grid, target).map(|_| ())
     });
     rendered.expect("the engine's stack holds the path");
     levels

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use catoptric_core::{Isa, Settings, StackFull};
+use catoptric_core::{Engine, Isa, Settings, StackFull};
 use catoptric_reference::DEPTH_ALLOWED;
 use catoptric_scene::{Compiled, Counts, Film, Grid, Numerics, Scene, View};
 use catoptric_tests::identity::{assert_identical, backends};
@@ -28,10 +28,9 @@ fn render_telling(
     settings: Settings,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<(Film, Counts), StackFull> {
-    let grid = Grid::new(&View::whole(scene));
+    let (compiled, grid) = (Compiled::new(scene), Grid::new(&View::whole(scene)));
     let mut film = Film::new(grid.width, grid.height);
-    let counts =
-        catoptric_core::render(&Compiled::new(scene), &grid, &mut film, settings, progress);
+    let counts = Engine::new(&compiled).with(settings).reporting(progress).render(&grid, &mut film);
     counts.map(|counts| (film, counts))
 }
 

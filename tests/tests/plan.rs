@@ -1,8 +1,8 @@
 //! What a plan leaves out changes no bit.
 
 use catoptric_core::{
-    Features, Isa, Omission, Plan, Settings, TileCandidates, occluders, render_levels_planned,
-    render_planned, tile_candidates,
+    Engine, Features, Isa, Levels, Omission, Omissions, Plan, Settings, TileCandidates, occluders,
+    tile_candidates,
 };
 use catoptric_scene::{
     Compiled, Counts, Film, Grid, Numerics, Plane, Quantiser, Scene, Sphere, Transfer, View,
@@ -15,12 +15,12 @@ use proptest::prelude::*;
 fn render<S: Real>(
     scene: &Compiled<S>,
     grid: &Grid<S>,
-    plan: &Plan,
+    plan: &Plan<S>,
     isa: Isa,
 ) -> (Vec<[u64; 3]>, Counts) {
     let settings = Settings { isa, stack_limit: 1 << 30 };
     let mut film = Film::black(grid.width, grid.height);
-    let counts = render_planned(scene, plan, grid, &mut film, settings, &|_| ());
+    let counts = Engine::new(scene).with(settings).render_planned(plan, &mut film);
     let bits = |p: &[S; 3]| p.map(|x| if x.to_f64().is_nan() { u64::MAX } else { x.bits() });
     (film.pixels().iter().map(bits).collect(), counts.expect("the limit allows it"))
 }
@@ -29,8 +29,9 @@ fn levels(scene: &Compiled, grid: &Grid, plan: &Plan) -> Vec<[u8; 3]> {
     let settings = Settings { isa: Isa::detected(), stack_limit: 1 << 30 };
     let mut levels = vec![[7; 3]; grid.width as usize * grid.height as usize];
     let quantiser = Quantiser::new(Transfer::Srgb);
-    render_levels_planned(scene, plan, grid, &quantiser, &mut levels, settings, &|_| ())
-        .expect("the limit allows it");
+    let target = Levels { quantiser: &quantiser, pixels: &mut levels };
+    let rendered = Engine::new(scene).with(settings).render_planned(plan, target);
+    rendered.expect("the limit allows it");
     levels
 }
 
@@ -46,15 +47,15 @@ fn check_in<S: Real>(
     name: &str,
     scene: &Scene,
     samples: u32,
-    same_levels: impl Fn(&Compiled<S>, &Grid<S>, &Plan, &Plan) -> bool,
+    same_levels: impl Fn(&Compiled<S>, &Grid<S>, &Plan<S>, &Plan<S>) -> bool,
 ) -> Result<(), String> {
     let view = View::new(scene, None, samples).expect("whole");
     let (compiled, grid) = (Compiled::<S>::of(scene), Grid::of(&view));
-    let everything = Plan::everything(&compiled, &grid);
-    assert!(everything.omissions.iter().next().is_none() && everything.depth == compiled.max_depth);
+    let everything = Plan::new(&compiled, &grid).everything();
+    assert!(everything.omissions() == Omissions::NONE && everything.depth() == compiled.max_depth);
     let plan = Plan::new(&compiled, &grid);
     let mut plans = vec![plan.clone()];
-    plans.extend(plan.omissions.iter().map(|omission| plan.clone().without(omission)));
+    plans.extend(plan.omissions().iter().map(|omission| plan.clone().without(omission)));
     for isa in Isa::ALL.into_iter().filter(|&isa| isa <= Isa::detected()) {
         let expected = render(&compiled, &grid, &everything, isa);
         for plan in &plans {
@@ -146,9 +147,9 @@ fn the_workshop_is_known() {
         samples: 1,
         ..Features::default()
     };
-    assert_eq!(plan.features, features);
-    assert_eq!(plan.depth, 5);
-    let omitted: Vec<_> = plan.omissions.iter().collect();
+    assert_eq!(*plan.features(), features);
+    assert_eq!(plan.depth(), 5);
+    let omitted: Vec<_> = plan.omissions().iter().collect();
     assert_eq!(omitted, [Omission::Tiles, Omission::Occluders, Omission::Directions]);
     // The yellow and the gray ball (2 and 4) stand free; nothing is in the ground's shadow.
     let hide = |receiver| occluders(&compiled, 0, receiver);
@@ -167,7 +168,7 @@ fn depths_end() {
         let mut draft = scenes::named("workshop");
         change(&mut draft);
         let scene = scenes::sized(&draft, 16, 9, 9);
-        Plan::new(&Compiled::new(&scene), &Grid::new(&View::whole(&scene))).depth
+        Plan::new(&Compiled::new(&scene), &Grid::new(&View::whole(&scene))).depth()
     };
     let mirrors = |spheres: &mut [Sphere], count: usize| {
         for (index, sphere) in spheres.iter_mut().enumerate() {

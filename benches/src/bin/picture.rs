@@ -8,7 +8,7 @@ use std::env;
 use std::path::Path;
 use std::process::ExitCode;
 
-use catoptric_core::{Isa, Omission, Plan, Settings, render_planned};
+use catoptric_core::{Engine, Isa, Omission, Plan, Settings};
 use catoptric_scene::{Compiled, Document, Film, Grid, Scene, SceneFormat, View};
 use catoptric_tests::identity::pool;
 use catoptric_tests::scenes::sized;
@@ -38,7 +38,7 @@ fn run(arguments: &[&str]) -> Result<(), String> {
     let (compiled, grid) = (Compiled::new(&scene), Grid::new(&View::whole(&scene)));
     let plan = match without {
         "plan" => Plan::new(&compiled, &grid),
-        "everything" => Plan::everything(&compiled, &grid),
+        "everything" => Plan::new(&compiled, &grid).everything(),
         name => {
             let omission = Omission::ALL.into_iter().find(|omission| omission.name() == name);
             let omission = omission.ok_or(format!("no omission: {name}\n{USAGE}"))?;
@@ -48,7 +48,7 @@ fn run(arguments: &[&str]) -> Result<(), String> {
     let mut film = Film::new(grid.width, grid.height);
     let settings = Settings { isa: Isa::detected(), stack_limit: 1 << 30 };
     pool(1)
-        .install(|| render_planned(&compiled, &plan, &grid, &mut film, settings, &|_| ()))
+        .install(|| Engine::new(&compiled).with(settings).render_planned(&plan, &mut film))
         .map_err(|full| full.to_string())?;
     Ok(())
 }

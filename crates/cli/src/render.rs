@@ -91,7 +91,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         },
         rays: Rays::of(&counts),
         depths: stats::depths(&counts),
-        plan: plan.as_ref().map(|plan| stats::Planned::of(plan, film)),
+        plan,
     };
     let reported = report.map(|report| report.stage(|to| json::write(to, &stats)));
     commit([staged].into_iter().chain(reported.transpose()?))?;

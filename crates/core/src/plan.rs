@@ -44,25 +44,23 @@ pub struct Features {
     pub samples: u32,
 }
 
-/// What a rendering does, decided once.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Plan {
-    /// What the scene and the request use.
-    pub features: Features,
-    /// Reflections that can occur, at most the scene's max_depth: none without a mirror, 1 with
-    /// a single one that is not around the eye, since no ray meets again what it just left, and
-    /// no more than the weights of the strongest mirror stay above the cut (`cut`).
-    pub depth: u32,
-    /// What is left out.
-    pub omissions: Omissions,
-    /// Indices of the spheres that are inside others: found once.
+/// What a rendering of a view of a scene does, decided once. It cannot be made wrong: work can be
+/// added to it, and none left out that a bit depends on.
+#[derive(Clone, Debug)]
+pub struct Plan<'a, S: Scalar = f32> {
+    scene: &'a Compiled<S>,
+    grid: &'a Grid<S>,
+    features: Features,
+    depth: u32,
+    omissions: Omissions,
+    /// Indices of the spheres that are inside others.
     nested: Vec<u32>,
 }
 
-impl Plan {
-    /// The plan for a view of a scene.
+impl<'a, S: Scalar> Plan<'a, S> {
+    /// Plans a view of a scene.
     #[must_use]
-    pub fn new<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> Self {
+    pub fn new(scene: &'a Compiled<S>, grid: &'a Grid<S>) -> Self {
         let nested = nested::nested(scene);
         let features = Features::of(scene, grid, &nested);
         let robust = scene.numerics == Numerics::Robust;
@@ -74,28 +72,66 @@ impl Plan {
             Omission::Shadows => features.lamps > 0 && scene.materials.iter().any(Phong::is_unlit),
         };
         let omissions = Omission::ALL.into_iter().filter(applies).collect();
-        Self { features, depth: depth(scene), omissions, nested }
+        Self { scene, grid, features, depth: depth(scene), omissions, nested }
     }
 
-    /// A plan that leaves nothing out.
+    /// This plan with nothing left out.
     #[must_use]
-    pub fn everything<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> Self {
-        let nested = nested::nested(scene);
-        let features = Features::of(scene, grid, &nested);
-        Self { features, depth: scene.max_depth, omissions: Omissions::NONE, nested }
+    pub fn everything(self) -> Self {
+        Self { depth: self.scene.max_depth, omissions: Omissions::NONE, ..self }
     }
 
-    /// This plan, with that omission not made.
+    /// This plan with that omission not made.
     #[must_use]
-    pub fn without(mut self, omission: Omission) -> Self {
-        self.omissions = self.omissions.without(omission);
-        self
+    pub fn without(self, omission: Omission) -> Self {
+        Self { omissions: self.omissions.without(omission), ..self }
     }
 
-    /// Whether it is left out.
+    /// This plan with no other omissions than those.
+    #[must_use]
+    pub fn only(self, omissions: &[Omission]) -> Self {
+        let kept = self.omissions.iter().filter(|omission| omissions.contains(omission));
+        Self { omissions: kept.collect(), ..self }
+    }
+
+    /// What the scene and the request use.
+    #[must_use]
+    pub fn features(&self) -> &Features {
+        &self.features
+    }
+
+    /// Reflections that can occur, at most the scene's max_depth: none without a mirror, 1 with
+    /// a single one that is not around the eye, since no ray meets again what it just left, and
+    /// no more than the weights of the strongest mirror stay above the cut.
+    #[must_use]
+    pub fn depth(&self) -> u32 {
+        self.depth
+    }
+
+    /// What is left out.
+    #[must_use]
+    pub fn omissions(&self) -> Omissions {
+        self.omissions
+    }
+
+    /// Whether an omission is made.
     #[must_use]
     pub fn omits(&self, omission: Omission) -> bool {
         self.omissions.contains(omission)
+    }
+
+    pub(crate) fn scene(&self) -> &'a Compiled<S> {
+        self.scene
+    }
+
+    pub(crate) fn grid(&self) -> &'a Grid<S> {
+        self.grid
+    }
+
+    /// The primitives that rays are tested against, by index in ascending order.
+    pub(crate) fn candidates(&self) -> Vec<u32> {
+        let nested: &[u32] = if self.omits(Omission::Nested) { &self.nested } else { &[] };
+        nested::others(self.scene, nested)
     }
 }
 
@@ -131,12 +167,6 @@ impl Features {
         }
         these
     }
-}
-
-/// The primitives that rays are tested against, by index in ascending order.
-pub(crate) fn candidates<S: Scalar>(scene: &Compiled<S>, plan: &Plan) -> Vec<u32> {
-    let nested: &[u32] = if plan.omits(Omission::Nested) { &plan.nested } else { &[] };
-    nested::others(scene, nested)
 }
 
 /// Reflections that can occur, at most.

@@ -119,7 +119,7 @@ impl Account {
         let light = LightBounds::new(scene);
         let without_end = Compiled { max_depth: u32::MAX, ..compiled };
         let plan_depth = plan.depth;
-        let endless = Plan::new(&without_end, &grid).depth;
+        let endless = Plan::new(&without_end, &grid).depth();
         let entry = |(depth, count): (usize, &catoptric_scene::DepthCount)| Depth {
             depth,
             rays: count.rays,

@@ -3,9 +3,9 @@
 
 mod steps;
 
-use base64::Engine;
+use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use catoptric_core::{Isa, Settings, render_levels};
+use catoptric_core::{Engine, Isa, Levels, Settings};
 use catoptric_report::escaped;
 use catoptric_scene::{Compiled, Grid, Quantiser, Scene, Transfer, View};
 use catoptric_study::tracer::STACK_LIMIT;
@@ -137,7 +137,10 @@ fn render(scene: &Scene, isa: Isa) -> Result<Picture, ExplainError> {
     let (width, height, transfer) = (grid.width, grid.height, scene.image.transfer);
     let mut pixels = vec![[0; 3]; width as usize * height as usize];
     let settings = Settings { isa, stack_limit: STACK_LIMIT };
-    render_levels(&compiled, &grid, &Quantiser::new(transfer), &mut pixels, settings, &|_| {})
+    let target = Levels { quantiser: &Quantiser::new(transfer), pixels: &mut pixels };
+    Engine::new(&compiled)
+        .with(settings)
+        .render(&grid, target)
         .map_err(ExplainError::PagePictureTooDeep)?;
     Ok(Picture { width, height, pixels, transfer })
 }

@@ -1,10 +1,10 @@
-//! Rung 5, the engine: rung 4 with the shading in eight lanes too (`core::packet`).
+//! Rung 5, the engine: rung 4 with the shading in eight lanes too (`core::trace`).
 //!
 //! The engine knows no events. What its loop leaves on its stack on the way down, and takes
 //! off on the way up, is written down here in the words of the other rungs.
 
-use catoptric_core::Settings;
 use catoptric_core::watch::{Fold, Level};
+use catoptric_core::{Engine, Settings};
 use catoptric_scene::{Compiled, Counts, Film, Grid};
 use glam::Vec3;
 
@@ -16,7 +16,7 @@ pub(crate) fn render(
     film: &mut Film,
     settings: Settings,
 ) -> Result<Counts, Error> {
-    Ok(catoptric_core::render(scene, grid, film, settings, &|_| ())?)
+    Ok(Engine::new(scene).with(settings).render(grid, film)?)
 }
 
 pub(crate) fn watch(

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use catoptric_core::{Isa, Omission, Plan, Settings, render_planned};
+use catoptric_core::{Engine, Isa, Omission, Plan, Settings};
 use catoptric_scene::{Compiled, Film, Grid};
 
 use crate::Unwatched;
@@ -29,13 +29,13 @@ const LONG: f64 = 0.5;
 /// A path too deep for the engine's stack.
 pub fn savings(scene: &Compiled, grid: &Grid, isa: Isa) -> Result<Vec<Saving>, TooDeep> {
     let plan = Plan::new(scene, grid);
-    let without = plan.omissions.iter().map(|omission| plan.clone().without(omission));
+    let without = plan.omissions().iter().map(|omission| plan.clone().without(omission));
     let plans: Vec<Plan> = std::iter::once(plan.clone()).chain(without).collect();
     let mut film = Film::new(grid.width, grid.height);
-    let settings = Settings { isa, stack_limit: STACK_LIMIT };
+    let engine = Engine::new(scene).with(Settings { isa, stack_limit: STACK_LIMIT });
     let mut trace = |plan: &Plan| {
         let start = Instant::now();
-        let rendered = render_planned(scene, plan, grid, &mut film, settings, &|_| {});
+        let rendered = engine.render_planned(plan, &mut film);
         rendered.ok().map(|_| start.elapsed())
     };
     // The first picture pays for its film's pages.
@@ -56,5 +56,5 @@ pub fn savings(scene: &Compiled, grid: &Grid, isa: Isa) -> Result<Vec<Saving>, T
         let share = if other > 0.0 { 1.0 - least[0] / other } else { 0.0 };
         Saving { omission, share }
     };
-    Ok(plan.omissions.iter().zip(&least[1..]).map(share).collect())
+    Ok(plan.omissions().iter().zip(&least[1..]).map(share).collect())
 }

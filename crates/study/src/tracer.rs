@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use catoptric_core::{Isa, PacketScalar, Settings};
+use catoptric_core::{Engine, Isa, PacketScalar, Settings};
 use catoptric_scene::{Compiled, Counts, Film, Grid};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -40,7 +40,7 @@ impl Tracer {
             Self::Recursive => S::recursion(scene, grid, film),
             Self::Packet(isa) => {
                 let settings = Settings { isa, stack_limit: STACK_LIMIT };
-                catoptric_core::render(scene, grid, film, settings, &|_| {}).ok()
+                Engine::new(scene).with(settings).render(grid, film).ok()
             }
         };
         rendered.ok_or(TooDeep)

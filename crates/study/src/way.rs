@@ -1,6 +1,6 @@
 //! Ways to trace a picture in f32: the two renderers, and what leads from one to the other.
 
-use catoptric_core::{Isa, Omission, Plan, Settings, render_planned};
+use catoptric_core::{Engine, Isa, Omission, Plan, Settings};
 use catoptric_ladder::Rung;
 use catoptric_scene::{Compiled, Counts, Film, Grid};
 
@@ -37,15 +37,13 @@ impl Way {
     pub fn render(self, scene: &Compiled, grid: &Grid, film: &mut Film) -> Result<Counts, TooDeep> {
         let packets = |isa, plan: &Plan, film: &mut Film| {
             let settings = Settings { isa, stack_limit: STACK_LIMIT };
-            render_planned(scene, plan, grid, film, settings, &|_| {}).map_err(|_| TooDeep)
+            Engine::new(scene).with(settings).render_planned(plan, film).map_err(|_| TooDeep)
         };
         match self {
             Self::Tracer(tracer) => tracer.render(scene, grid, film),
-            Self::Everything(isa) => packets(isa, &Plan::everything(scene, grid), film),
+            Self::Everything(isa) => packets(isa, &Plan::new(scene, grid).everything(), film),
             Self::Omitting(isa, omissions) => {
-                let mut plan = Plan::new(scene, grid);
-                plan.omissions = plan.omissions.iter().filter(|o| omissions.contains(o)).collect();
-                packets(isa, &plan, film)
+                packets(isa, &Plan::new(scene, grid).only(omissions), film)
             }
             Self::Rung(rung, isa) => {
                 let settings = Settings { isa, stack_limit: STACK_LIMIT };

@@ -8,7 +8,7 @@ mod numbers;
 
 use std::sync::LazyLock;
 
-use catoptric_core::{Isa, Settings};
+use catoptric_core::{Engine, Isa, Settings};
 use catoptric_scene::{
     Compiled, Counts, Document, Film, Grid, Numerics, Scene, SceneError, SceneFormat, View,
 };
@@ -103,7 +103,7 @@ fn agree(scene: &Scene) {
         let settings = Settings { isa, stack_limit: 1 << 20 };
         let mut found = film();
         let counted = HERE
-            .install(|| catoptric_core::render(&compiled, &grid, &mut found, settings, &|_| ()))
+            .install(|| Engine::new(&compiled).with(settings).render(&grid, &mut found))
             .expect("few mirrors");
         same(&expected, &found, isa, scene);
         same_counts(&counts, &counted, isa, scene);

@@ -2,11 +2,12 @@
 
 use std::time::{Duration, Instant};
 
-use catoptric_core::{Isa, Plan, Settings, render_levels_planned, render_planned};
+use catoptric_core::{Engine as PacketEngine, Isa, Levels as LevelsTarget, Plan, Settings};
 use catoptric_reference::truth::{self, Truth};
 use catoptric_scene::{Compiled, Counts, Crop, Film, Grid, Quantiser, Scene, View};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use super::stats::Planned;
 use crate::exit::Failure;
 use crate::format::{Levels, Picture};
 use crate::machine;
@@ -67,7 +68,7 @@ pub(super) struct Rendered {
     pub(super) picture: Picture,
     pub(super) counts: Counts,
     /// The packet engine's plan.
-    pub(super) plan: Option<Plan>,
+    pub(super) plan: Option<Planned>,
     pub(super) compile: Duration,
     pub(super) trace: Duration,
 }
@@ -146,18 +147,21 @@ impl Tracing<'_> {
             Engine::Packet => {
                 let stack_limit = usize::try_from(self.stack_limit).unwrap_or(usize::MAX);
                 let settings = Settings { isa: self.isa, stack_limit };
-                let plan = plan.insert(Plan::new(&compiled, &grid));
-                let (scene, grid) = (&compiled, &grid);
+                let whole = Plan::new(&compiled, &grid);
+                plan = Some(Planned::of(&whole, self.levels.is_none()));
+                let engine = PacketEngine::new(&compiled).with(settings).reporting(done);
                 let traced = match self.levels {
                     Some(quantiser) => {
                         let mut levels = Levels::new(width, height);
                         let pixels = &mut levels.pixels;
-                        render_levels_planned(scene, plan, grid, quantiser, pixels, settings, done)
+                        engine
+                            .render_planned(&whole, LevelsTarget { quantiser, pixels })
                             .map(|counts| (Picture::Levels(levels), counts))
                     }
                     None => {
                         let mut film = Film::new(width, height);
-                        render_planned(scene, plan, grid, &mut film, settings, done)
+                        engine
+                            .render_planned(&whole, &mut film)
                             .map(|counts| (Picture::Linear(film), counts))
                     }
                 };

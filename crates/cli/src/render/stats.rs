@@ -72,8 +72,8 @@ pub(super) struct Used {
 
 impl Planned {
     pub(super) fn of(plan: &Plan, film: bool) -> Self {
-        let omitted = plan.omissions.iter().map(|omission| omission.name()).collect();
-        let features = plan.features;
+        let omitted = plan.omissions().iter().map(|omission| omission.name()).collect();
+        let features = plan.features();
         let features = Used {
             balls: features.balls,
             large_spheres: features.large_spheres,
@@ -89,7 +89,7 @@ impl Planned {
             weight_cut: features.cut,
             samples: features.samples,
         };
-        Self { depth: plan.depth, omitted, film, features }
+        Self { depth: plan.depth(), omitted, film, features }
     }
 }
 

@@ -63,9 +63,9 @@ impl Told {
         let plan = Plan::new(scene, grid);
         let candidates = tile_candidates(scene, grid);
         let uncut = Compiled { min_weight: 0.0, ..scene.clone() };
-        let depth_set_by = if plan.depth < Plan::new(&uncut, grid).depth {
+        let depth_set_by = if plan.depth() < Plan::new(&uncut, grid).depth() {
             "min_weight"
-        } else if plan.depth < scene.max_depth {
+        } else if plan.depth() < scene.max_depth {
             "mirrors"
         } else {
             "max_depth"
@@ -78,7 +78,7 @@ impl Told {
         };
         let occluders = plan.omits(Omission::Occluders).then(|| mean_occluders(scene)).flatten();
         Ok(Self {
-            depth: plan.depth,
+            depth: plan.depth(),
             depth_set_by,
             omitted: savings(scene, grid, isa)?.into_iter().map(told).collect(),
             always: ALWAYS,
