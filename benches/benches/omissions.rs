@@ -9,7 +9,7 @@ use catoptric_benches::scenes::{corridor, flake, workshop};
 use catoptric_benches::subject::Subject;
 use catoptric_benches::test_mode;
 use catoptric_core::{Engine, Isa, Plan, Settings};
-use catoptric_scene::Draft;
+use catoptric_scene::{Draft, Material};
 use catoptric_tests::identity::pool;
 use catoptric_tests::scenes::{named, sized};
 use criterion::Criterion;
@@ -34,7 +34,9 @@ fn main() {
 /// Without mirrors and highlights.
 fn plain(mut draft: Draft) -> Draft {
     for sphere in &mut draft.spheres {
-        (sphere.material.specular, sphere.material.reflect) = (0.0, Some(0.0));
+        let plain = draft.materials[sphere.material];
+        let plain = Material { specular: 0.0, reflect: Some(0.0), ..plain };
+        sphere.material = draft.materials.add(plain);
     }
     draft
 }

@@ -36,7 +36,7 @@ impl Crowd {
         draft.camera.position = [0.0, 0.0, 1100.0];
         draft.camera.look_at = [0.0; 3];
         draft.camera.fov = 38.0;
-        let material = Material::matt([0.6, 0.6, 0.7]);
+        let material = draft.materials.add(Material::matt([0.6, 0.6, 0.7]));
         draft.spheres = (0..balls)
             .map(|i| match self {
                 Self::OneCentre => {

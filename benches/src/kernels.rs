@@ -72,7 +72,8 @@ pub fn shading() -> Vec<(&'static str, Draft)> {
     let lamp = || vec![Light { position: [0.0, 0.1, 0.0], intensity: [1.0; 3] }];
     let ball = |material, lights, max_depth| {
         let mut draft = narrow();
-        draft.spheres = vec![Sphere { center: [0.0, 0.0, -20.0], radius: 10.0, material }];
+        let material = draft.materials.add(material);
+        draft.spheres.push(Sphere { center: [0.0, 0.0, -20.0], radius: 10.0, material });
         draft.lights = lights;
         draft.render.max_depth = max_depth;
         draft
@@ -99,12 +100,9 @@ fn narrow() -> Draft {
 /// Spheres of one centre on the z axis.
 fn concentric(z: f64, radius: impl Fn(u32) -> f64) -> Draft {
     let mut draft = narrow();
+    let material = draft.materials.add(Material::matt([0.5; 3]));
     draft.spheres = (0..PRIMITIVES)
-        .map(|i| Sphere {
-            center: [0.0, 0.0, z],
-            radius: radius(i),
-            material: Material::matt([0.5; 3]),
-        })
+        .map(|i| Sphere { center: [0.0, 0.0, z], radius: radius(i), material })
         .collect();
     draft
 }
@@ -112,12 +110,9 @@ fn concentric(z: f64, radius: impl Fn(u32) -> f64) -> Draft {
 /// Planes across the z axis, one behind the other.
 fn planes() -> Draft {
     let mut draft = narrow();
+    let material = draft.materials.add(Material::matt([0.5; 3]));
     draft.planes = (0..PRIMITIVES)
-        .map(|i| Plane {
-            point: [0.0, 0.0, -1.0 - step(i)],
-            normal: [0.1, 0.2, 1.0],
-            material: Material::matt([0.5; 3]),
-        })
+        .map(|i| Plane { point: [0.0, 0.0, -1.0 - step(i)], normal: [0.1, 0.2, 1.0], material })
         .collect();
     draft
 }

@@ -48,11 +48,19 @@ pub fn a_sphere_a_pixel(
                 let center = std::array::from_fn(|i| way[i] * distance + 0.6 * aside[i]);
                 let k = palette[choice % palette.len()];
                 let material = reflecting(k, [0.2 + 0.5 * k, 0.9 - 0.4 * share, 0.5]);
-                draft.spheres.push(Sphere { center, radius, material });
+                draft.spheres.push(Sphere {
+                    center,
+                    radius,
+                    material: draft.materials.add(material),
+                });
             }
             if let Some(k) = around {
                 let material = reflecting(k, [0.5, 0.6, 0.3]);
-                draft.spheres.push(Sphere { center: [1.0, 2.0, 3.0], radius: 300.0, material });
+                draft.spheres.push(Sphere {
+                    center: [1.0, 2.0, 3.0],
+                    radius: 300.0,
+                    material: draft.materials.add(material),
+                });
             }
             Scene::new(draft).expect("generated scenes are valid")
         },

@@ -55,15 +55,27 @@ pub fn rim(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = Sce
             match radius.map(f64::to_radians) {
                 None => {
                     let normal = [0.0, rim.cos(), rim.sin()];
-                    draft.planes.push(Plane { point: normal.map(|x| -x), normal, material });
+                    draft.planes.push(Plane {
+                        point: normal.map(|x| -x),
+                        normal,
+                        material: draft.materials.add(material),
+                    });
                 }
                 Some(radius) => {
                     let elevation = rim - radius;
                     let center = [0.0, 50.0 * elevation.sin(), -50.0 * elevation.cos()];
-                    draft.spheres.push(Sphere { center, radius: 50.0 * radius.sin(), material });
+                    draft.spheres.push(Sphere {
+                        center,
+                        radius: 50.0 * radius.sin(),
+                        material: draft.materials.add(material),
+                    });
                     // Something at another distance, so that the ball is not taken for flat.
                     let center = [0.0, 0.0, 900.0];
-                    draft.spheres.push(Sphere { center, radius: 1.0, material });
+                    draft.spheres.push(Sphere {
+                        center,
+                        radius: 1.0,
+                        material: draft.materials.add(material),
+                    });
                 }
             }
             Scene::new(draft).expect("generated scenes are valid")
@@ -99,9 +111,17 @@ pub fn corner() -> impl Strategy<Value = Scene> {
                 let (sin, cos) = (radius.asin() * (1.0 + off)).sin_cos();
                 let center = along(ray.map(|v| 50.0 * cos * v), across, 50.0 * sin);
                 let material = Material::matt([1.0; 3]);
-                draft.spheres.push(Sphere { center, radius: 50.0 * radius, material });
+                draft.spheres.push(Sphere {
+                    center,
+                    radius: 50.0 * radius,
+                    material: draft.materials.add(material),
+                });
                 // Something at another distance, so that the ball is not taken for flat.
-                draft.spheres.push(Sphere { center: [0.0, 0.0, 900.0], radius: 1.0, material });
+                draft.spheres.push(Sphere {
+                    center: [0.0, 0.0, 900.0],
+                    radius: 1.0,
+                    material: draft.materials.add(material),
+                });
             }
             Scene::new(draft).expect("generated scenes are valid")
         },
@@ -130,18 +150,26 @@ pub fn eclipse(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value =
             material.reflect = Some(0.5);
             let center = [0.0, 0.0, -6.0 * radius];
             let mut lamp = along(center, way, radius * (1.0 + far));
-            draft.spheres.push(Sphere { center, radius, material });
+            draft.spheres.push(Sphere { center, radius, material: draft.materials.add(material) });
             // Off the axis by what the cone from the lamp is wide there.
             if let Some(across) = across(way, aside) {
                 let reach = radius * (1.0 + far);
                 let wide = radius * (1.0 - share).abs() + other;
                 let at = along(center, way, share * reach);
                 let center = along(at, across, wide * (1.0 + off));
-                draft.spheres.push(Sphere { center, radius: other, material });
+                draft.spheres.push(Sphere {
+                    center,
+                    radius: other,
+                    material: draft.materials.add(material),
+                });
             }
             if let Some((ground, low)) = ground {
                 let center = along(center, [0.0, -1.0, 0.0], radius + ground * radius);
-                draft.spheres.push(Sphere { center, radius: ground * radius, material });
+                draft.spheres.push(Sphere {
+                    center,
+                    radius: ground * radius,
+                    material: draft.materials.add(material),
+                });
                 if let Some((share, height)) = low {
                     let (sin, cos) = (share * (4.0 / ground).sqrt()).sin_cos();
                     let height = radius * (ground + 10f64.powf(height));
@@ -165,7 +193,7 @@ pub fn graze() -> impl Strategy<Value = Scene> {
         |((radius, other), way, aside, far, share, off)| {
             let mut draft = Draft::default();
             (draft.image.width, draft.image.height) = (1, 1);
-            let material = Material::matt([0.8; 3]);
+            let material = draft.materials.add(Material::matt([0.8; 3]));
             let ball = |center, radius| Sphere { center, radius, material };
             draft.spheres.push(ball([0.0, 0.0, -6.0 * radius], radius));
             let place = [0.0, 0.0, -5.0 * radius];
@@ -199,7 +227,7 @@ pub fn far_graze() -> impl Strategy<Value = Scene> {
             let mut draft = Draft::default();
             (draft.image.width, draft.image.height) = (8, 1);
             draft.camera.fov = 0.1;
-            let material = Material::matt([0.8; 3]);
+            let material = draft.materials.add(Material::matt([0.8; 3]));
             let ball = |center, radius| Sphere { center, radius, material };
             let place = along([0.0; 3], away, far);
             draft.camera.look_at = place;
@@ -237,7 +265,11 @@ pub fn specks(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = 
             for (at, radius, color) in balls {
                 let material = Material { reflect: Some(0.9), ..Material::matt(color) };
                 let center = along(middle, at, 1.0 - radius);
-                draft.spheres.push(Sphere { center, radius: 0.5 * radius, material });
+                draft.spheres.push(Sphere {
+                    center,
+                    radius: 0.5 * radius,
+                    material: draft.materials.add(material),
+                });
             }
             let position = along(middle, lamp, 10.0);
             draft.lights.push(Light { position, intensity: [1.0; 3] });
@@ -271,11 +303,19 @@ pub fn nested(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value = 
             let cap = (2.0 * within * gap.abs() * (1.0 + far) * radius).sqrt();
             draft.camera.look_at = closest;
             draft.camera.fov = (4.0 * cap / distance(closest, [0.0; 3])).to_degrees().min(120.0);
-            draft.spheres.push(Sphere { center: at, radius: within, material: inner });
-            draft.spheres.push(Sphere { center, radius, material: outer });
+            draft.spheres.push(Sphere {
+                center: at,
+                radius: within,
+                material: draft.materials.add(inner),
+            });
+            draft.spheres.push(Sphere { center, radius, material: draft.materials.add(outer) });
             let shows = along(center, mirror, 3.0 * radius);
             if distance(shows, [0.0; 3]) > radius {
-                draft.spheres.push(Sphere { center: shows, radius, material: outer });
+                draft.spheres.push(Sphere {
+                    center: shows,
+                    radius,
+                    material: draft.materials.add(outer),
+                });
             }
             let position = along(center, lamp, 5.0 * radius);
             draft.lights.push(Light { position, intensity: [1.0; 3] });
@@ -298,13 +338,12 @@ fn build(((width, height), things, eye, render): ((u32, u32), Things, Eye, Rende
     (draft.render.max_depth, draft.render.min_weight, ..) = render;
     (_, _, draft.render.background, draft.render.ambient, draft.render.numerics) = render;
     for (place, radius, material) in spheres {
-        let sphere = place_sphere(&draft.spheres, position, &place, radius, material);
-        draft.spheres.push(sphere);
+        let (center, radius) = place_sphere(&draft.spheres, position, &place, radius);
+        draft.spheres.push(Sphere { center, radius, material: draft.materials.add(material) });
     }
-    draft.planes = planes
-        .into_iter()
-        .map(|(point, normal, material)| Plane { point, normal, material })
-        .collect();
+    for (point, normal, material) in planes {
+        draft.planes.push(Plane { point, normal, material: draft.materials.add(material) });
+    }
     draft.lights =
         lights.into_iter().map(|(position, intensity)| Light { position, intensity }).collect();
     // Look at something, or the picture is background.
@@ -325,13 +364,7 @@ fn build(((width, height), things, eye, render): ((u32, u32), Things, Eye, Rende
     Scene::new(draft).expect("generated scenes are valid")
 }
 
-fn place_sphere(
-    earlier: &[Sphere],
-    eye: [f64; 3],
-    place: &Place,
-    radius: f64,
-    material: Material,
-) -> Sphere {
+fn place_sphere(earlier: &[Sphere], eye: [f64; 3], place: &Place, radius: f64) -> ([f64; 3], f64) {
     let other = |i: usize| earlier.get(i % earlier.len().max(1)).copied();
     let (center, radius) = match *place {
         Place::Free(at) => (at.map(|x| x * (1.0 + radius)), radius),
@@ -354,8 +387,7 @@ fn place_sphere(
         Place::UnderTheEye(way) => (along(eye, way, radius), radius),
     };
     // Placed against a tiny sphere, a radius may leave the format's range.
-    let radius = if radius < 1e-9 { 1e-9 } else { radius };
-    Sphere { center, radius, material }
+    (center, if radius < 1e-9 { 1e-9 } else { radius })
 }
 
 fn along(from: [f64; 3], way: [f64; 3], length: f64) -> [f64; 3] {

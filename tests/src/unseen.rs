@@ -43,52 +43,63 @@ pub fn pair() -> impl Strategy<Value = [Scene; 2]> {
             // The shield's point nearest the eye, and the thing behind it.
             let added = if plane {
                 let foot = along(eye, way, -height);
-                draft.planes.push(Plane { point: foot, normal: way, material });
+                draft.planes.push(Plane {
+                    point: foot,
+                    normal: way,
+                    material: draft.materials.add(material),
+                });
                 behind_plane(extent + height, foot, way, &thing)
             } else {
                 let radius = height + 1.0;
                 let center = along(eye, way, height);
-                draft.spheres.push(Sphere { center, radius, material });
-                Body::Sphere(outside(extent + height, center, radius, way, &thing))
+                draft.spheres.push(Sphere {
+                    center,
+                    radius,
+                    material: draft.materials.add(material),
+                });
+                outside(extent + height, center, radius, way, &thing)
             };
             let mut more = draft.clone();
+            let material = more.materials.add(Material::matt([9.0, 0.0, 9.0]));
             match added {
-                Body::Sphere(sphere) => more.spheres.push(sphere),
-                Body::Plane(plane) => more.planes.push(plane),
+                Added::Sphere { center, radius } => {
+                    more.spheres.push(Sphere { center, radius, material });
+                }
+                Added::Plane { point, normal } => {
+                    more.planes.push(Plane { point, normal, material });
+                }
             }
             [draft, more].map(|draft: Draft| Scene::new(draft).expect("in range"))
         },
     )
 }
 
-enum Body {
-    Sphere(Sphere),
-    Plane(Plane),
+enum Added {
+    Sphere { center: [f64; 3], radius: f64 },
+    Plane { point: [f64; 3], normal: [f64; 3] },
 }
 
 /// Its nearest point is farther behind than rounding could ever lead a ray: a hundredth of its size
 /// and of how far from the eye a ray may come from a sphere.
-fn behind_plane(extent: f64, foot: [f64; 3], normal: [f64; 3], thing: &Thing) -> Body {
-    let material = Material::matt([9.0, 0.0, 9.0]);
+fn behind_plane(extent: f64, foot: [f64; 3], normal: [f64; 3], thing: &Thing) -> Added {
     let margin = |size: f64| thing.behind + 0.01 * (size + extent);
     let Some(radius) = thing.radius else {
         let point = along(foot, normal, -margin(0.0));
-        return Body::Plane(Plane { point, normal, material });
+        return Added::Plane { point, normal };
     };
     let dot: f64 = (0..3).map(|i| thing.aside[i] * normal[i]).sum();
     let aside = along(thing.aside, normal, -dot);
     let at = along(foot, aside, thing.off);
     let center = along(at, normal, -(margin(radius + thing.off) + radius));
-    Body::Sphere(Sphere { center, radius, material })
+    Added::Sphere { center, radius }
 }
 
 /// Beside a sphere around the eye.
-fn outside(extent: f64, center: [f64; 3], radius: f64, way: [f64; 3], thing: &Thing) -> Sphere {
-    let material = Material::matt([9.0, 0.0, 9.0]);
+fn outside(extent: f64, center: [f64; 3], radius: f64, way: [f64; 3], thing: &Thing) -> Added {
     let size = thing.radius.unwrap_or(thing.off);
     let way = if thing.off > 1.0 { way.map(|x| -x) } else { thing.aside };
     let margin = thing.behind + 0.01 * (size + radius + extent);
-    Sphere { center: along(center, way, radius + margin + size), radius: size, material }
+    Added::Sphere { center: along(center, way, radius + margin + size), radius: size }
 }
 
 fn power(exponent: f64) -> f64 {

@@ -12,8 +12,8 @@ use proptest::prelude::*;
 /// The closed room as a perfect mirror, so that no path ends before `max_depth`.
 fn closed_room(width: u32, height: u32, max_depth: u32) -> Scene {
     let mut draft = scenes::named("closed-room");
-    for sphere in &mut draft.spheres {
-        sphere.material.reflect = Some(1.0);
+    for material in draft.materials.iter_mut() {
+        material.reflect = Some(1.0);
     }
     scenes::sized(&draft, width, height, max_depth)
 }
@@ -112,8 +112,10 @@ fn once_a_stack_is_full_no_further_band_is_traced() {
     draft.camera.look_at = [0.0, 0.0, -1.0];
     draft.spheres.truncate(2);
     let [room, dull] = &mut draft.spheres[..] else { panic!("two spheres") };
-    (room.center, room.material.reflect) = ([0.0; 3], Some(1.0));
-    (dull.center, dull.radius, dull.material.reflect) = ([0.0, -0.77, -4.94], 2.7, Some(0.0));
+    room.center = [0.0; 3];
+    (dull.center, dull.radius) = ([0.0, -0.77, -4.94], 2.7);
+    draft.materials[room.material].reflect = Some(1.0);
+    draft.materials[dull.material].reflect = Some(0.0);
     let traced = |max_depth, stack_limit| {
         let scene = scenes::sized(&draft, 32, 64, max_depth);
         let settings = Settings { isa: Isa::detected(), stack_limit };

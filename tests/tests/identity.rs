@@ -125,7 +125,7 @@ fn levels_begin_where_they_do_one_by_one() {
     for level in 1..=255_u8 {
         let begins = first(f32::from(level));
         let colour = [begins.next_down(), begins, begins.next_up()];
-        draft.spheres[0].material = Material::matt(colour.map(f64::from));
+        draft.spheres[0].material = draft.materials.add(Material::matt(colour.map(f64::from)));
         let scene = scenes::sized(&draft, 9, 1, 0);
         let (compiled, grid) = (Compiled::new(&scene), Grid::new(&View::whole(&scene)));
         for backend in backends() {
@@ -151,10 +151,9 @@ fn points_nearer_than_distances_are_rounded() {
     draft.planes.clear();
     draft.lights.truncate(1);
     draft.lights[0].position = [3316146.4443958555, -4710689.48676905, 3952810.617959817];
-    let ball = |center, radius, blue| Sphere {
-        center,
-        radius,
-        material: Material { reflect: Some(0.9), ..Material::matt([0.0, 0.0, blue]) },
+    let mut ball = |center, radius, blue| {
+        let material = Material { reflect: Some(0.9), ..Material::matt([0.0, 0.0, blue]) };
+        Sphere { center, radius, material: draft.materials.add(material) }
     };
     draft.spheres = vec![
         ball([3316140.028683408, -4710683.261857549, 3952815.179845415], 0.4346565691602133, 0.7),
@@ -173,11 +172,12 @@ fn coincident_surfaces_show_the_first() {
         let mut doubled = draft.clone();
         doubled.spheres.extend(draft.spheres.iter().rev().copied());
         doubled.planes.extend(draft.planes.iter().rev().copied());
+        let magenta = doubled.materials.add(Material::matt([9.0, 0.0, 9.0]));
         for sphere in &mut doubled.spheres[draft.spheres.len()..] {
-            sphere.material = Material::matt([9.0, 0.0, 9.0]);
+            sphere.material = magenta;
         }
         for plane in &mut doubled.planes[draft.planes.len()..] {
-            plane.material = Material::matt([9.0, 0.0, 9.0]);
+            plane.material = magenta;
         }
         let once = scenes::sized(&draft, 60, 40, 40);
         let twice = scenes::sized(&doubled, 60, 40, 40);

@@ -5,7 +5,7 @@ use catoptric_core::{
     tile_candidates,
 };
 use catoptric_scene::{
-    Compiled, Counts, Film, Grid, Numerics, Plane, Quantiser, Scene, Sphere, Transfer, View,
+    Compiled, Counts, Draft, Film, Grid, Numerics, Plane, Quantiser, Scene, Sphere, Transfer, View,
 };
 use catoptric_tests::identity::Real;
 use catoptric_tests::{generate, scenes};
@@ -164,36 +164,36 @@ fn the_workshop_is_known() {
 /// Reflections that can occur: none without a mirror, one with a single convex one.
 #[test]
 fn depths_end() {
-    let depth = |change: &dyn Fn(&mut catoptric_scene::Draft)| {
+    let depth = |change: &dyn Fn(&mut Draft)| {
         let mut draft = scenes::named("workshop");
         change(&mut draft);
         let scene = scenes::sized(&draft, 16, 9, 9);
         Plan::new(&Compiled::new(&scene), &Grid::new(&View::whole(&scene))).depth()
     };
-    let mirrors = |spheres: &mut [Sphere], count: usize| {
-        for (index, sphere) in spheres.iter_mut().enumerate() {
-            sphere.material.reflect = Some(if index < count { 0.5 } else { 0.0 });
+    let mirrors = |draft: &mut Draft, count: usize| {
+        for (index, sphere) in draft.spheres.iter().enumerate() {
+            draft.materials[sphere.material].reflect = Some(if index < count { 0.5 } else { 0.0 });
         }
     };
-    assert_eq!(depth(&|draft| mirrors(&mut draft.spheres, 0)), 0);
-    assert_eq!(depth(&|draft| mirrors(&mut draft.spheres, 1)), 1);
-    assert_eq!(depth(&|draft| mirrors(&mut draft.spheres, 2)), 9);
+    assert_eq!(depth(&|draft| mirrors(draft, 0)), 0);
+    assert_eq!(depth(&|draft| mirrors(draft, 1)), 1);
+    assert_eq!(depth(&|draft| mirrors(draft, 2)), 9);
     // From inside, a sphere mirrors itself.
     assert_eq!(
         depth(&|draft| {
             draft.spheres.truncate(1);
             draft.spheres[0] = Sphere { center: [0.0; 3], radius: 9.0, ..draft.spheres[0] };
-            mirrors(&mut draft.spheres, 1);
+            mirrors(draft, 1);
         }),
         9
     );
     // A plane does not.
     assert_eq!(
         depth(&|draft| {
-            let material = draft.spheres[1].material;
-            mirrors(&mut draft.spheres, 0);
+            let material = draft.materials[draft.spheres[1].material];
+            mirrors(draft, 0);
             let (point, normal) = ([0.0, -4.0, 0.0], [0.0, 1.0, 0.0]);
-            draft.planes.push(Plane { point, normal, material });
+            draft.planes.push(Plane { point, normal, material: draft.materials.add(material) });
         }),
         1
     );
@@ -202,7 +202,7 @@ fn depths_end() {
         assert_eq!(
             depth(&|draft| {
                 draft.render.min_weight = min_weight;
-                mirrors(&mut draft.spheres, 2);
+                mirrors(draft, 2);
             }),
             reflections,
             "cut at {min_weight}"
@@ -212,7 +212,7 @@ fn depths_end() {
     assert_eq!(
         depth(&|draft| {
             draft.render.numerics = Numerics::Textbook;
-            mirrors(&mut draft.spheres, 1);
+            mirrors(draft, 1);
         }),
         9
     );

@@ -13,8 +13,8 @@ use crate::comparison::{settings, view};
 /// The closed room as a perfect mirror, so that no path ends before `max_depth`.
 fn closed_room(width: u32, max_depth: u32) -> Scene {
     let mut draft = scenes::named("closed-room");
-    for sphere in &mut draft.spheres {
-        sphere.material.reflect = Some(1.0);
+    for material in draft.materials.iter_mut() {
+        material.reflect = Some(1.0);
     }
     scenes::sized(&draft, width, 1, max_depth)
 }

@@ -78,8 +78,8 @@ fn samples_and_partial_packets() {
 #[test]
 fn deep_paths() {
     let mut draft = scenes::named("closed-room");
-    for sphere in &mut draft.spheres {
-        sphere.material.reflect = Some(1.0);
+    for material in draft.materials.iter_mut() {
+        material.reflect = Some(1.0);
     }
     let scene = scenes::sized(&draft, 9, 1, 5_000);
     check("perfect room", &scene, 1).unwrap_or_else(|report| panic!("{report}"));
@@ -120,7 +120,11 @@ fn no_colour_is_minus_zero() {
     draft.render.ambient = [0.0, -0.0, 0.0];
     draft.render.background = [-0.0; 3];
     let black = Material { color: [-0.0; 3], reflect: Some(1.0), ..Material::matt([0.0; 3]) };
-    draft.spheres.push(Sphere { center: [0.0, 8.0, -20.0], radius: 3.0, material: black });
+    draft.spheres.push(Sphere {
+        center: [0.0, 8.0, -20.0],
+        radius: 3.0,
+        material: draft.materials.add(black),
+    });
     let scene = scenes::sized(&draft, 23, 17, 5);
     check("zeros", &scene, 1).unwrap_or_else(|report| panic!("{report}"));
 }

@@ -8,6 +8,7 @@
 //! on the scalar.
 
 mod camera;
+mod constants;
 mod forms;
 mod hidden;
 mod material;
@@ -18,7 +19,8 @@ pub use camera::{CameraAxes, EyeRays};
 pub use forms::{Ball, Flat, Shape, TextbookPlane, TextbookSphere};
 pub use material::{Phong, Power};
 
-use crate::{DoubleDouble, Draft, Numerics, Scalar, Scene, Wider};
+use crate::{Draft, MaterialId, Numerics, Scalar, Scene};
+use constants::{colour, nearest3, rounded3};
 
 /// A scene as the renderers read it: in the camera's own axes, the eye at the origin.
 #[derive(Clone, Debug)]
@@ -119,40 +121,23 @@ fn lights<S: Scalar>(scene: &Draft, axes: &CameraAxes) -> Vec<PointLight<S>> {
         .collect()
 }
 
-/// The different materials, and for every primitive the index of its own.
+/// The different materials in the order of their first bodies, and for every body the index of its
+/// own. Materials that round to the same constants are one: the engine shades their hits together.
 fn materials<S: Scalar>(scene: &Draft) -> (Vec<Phong<S>>, Vec<u32>) {
-    let ambient = scene.render.ambient;
-    let mut known = HashMap::new();
     let mut compiled = Vec::new();
-    let of_spheres = scene.spheres.iter().map(|s| &s.material);
-    let of_planes = scene.planes.iter().map(|p| &p.material);
-    let indices = of_spheres
-        .chain(of_planes)
-        .map(|stated| {
-            let phong = Phong::new(stated, ambient);
-            *known.entry(phong.bits()).or_insert_with(|| {
-                compiled.push(phong);
-                u32::try_from(compiled.len() - 1).expect("fewer than 2^32 materials fit in memory")
-            })
+    let mut known = HashMap::new();
+    let mut numbers = vec![None; scene.materials.len()];
+    let mut number = |id: MaterialId| {
+        let phong = Phong::new(&scene.materials[id], scene.render.ambient);
+        *known.entry(phong.bits()).or_insert_with(|| {
+            compiled.push(phong);
+            u32::try_from(compiled.len() - 1).expect("a scene has fewer than 2^22 materials")
         })
-        .collect();
-    (compiled, indices)
-}
-
-/// The unit vector of a direction of a valid scene.
-fn unit<W: Wider>(v: [W; 3]) -> [W; 3] {
-    crate::direction::unit(v).expect("a valid scene's directions are not zero")
-}
-
-/// A colour, with 0 for -0: then no sum of light is -0, and adding 0 to one changes no bit.
-fn colour<S: Scalar>(v: [f64; 3]) -> S::Vec3 {
-    rounded3::<S>(v.map(|x| x + 0.0))
-}
-
-fn rounded3<S: Scalar>(v: [f64; 3]) -> S::Vec3 {
-    v.map(S::rounded).into()
-}
-
-fn nearest3<S: Scalar>(v: [DoubleDouble; 3]) -> S::Vec3 {
-    v.map(S::nearest).into()
+    };
+    let of_bodies = scene.bodies().map(|body| {
+        let id = body.material();
+        *numbers[id.index()].get_or_insert_with(|| number(id))
+    });
+    let of_bodies = of_bodies.collect();
+    (compiled, of_bodies)
 }

@@ -3,6 +3,8 @@
 //! World units are the author's own; all numbers are f64. The defaults are those of the
 //! scene format (`scenes/README.md`).
 
+use crate::materials::{Material, MaterialId, Materials};
+
 /// How rays meet surfaces: which formulas are used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Numerics {
@@ -95,35 +97,6 @@ pub struct Light {
     pub intensity: [f64; 3],
 }
 
-/// Phong's reflection model plus a mirror.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material {
-    /// Linear RGB of the ambient and diffuse terms.
-    pub color: [f64; 3],
-    /// kd, does not scale ambient.
-    pub diffuse: f64,
-    /// ks, the highlight's factor.
-    pub specular: f64,
-    /// The highlight's exponent; x^0 is 1, also for x = 0.
-    pub shininess: f64,
-    /// Mirror factor k in [0, 1]; `None` takes `specular`.
-    pub reflect: Option<f64>,
-}
-
-impl Material {
-    /// A matt material of that colour: diffuse 1, no highlight, no mirror.
-    #[must_use]
-    pub fn matt(color: [f64; 3]) -> Self {
-        Self { color, diffuse: 1.0, specular: 0.0, shininess: 0.0, reflect: None }
-    }
-
-    /// The mirror factor k: `reflect` where given, else `specular`.
-    #[must_use]
-    pub fn mirror(&self) -> f64 {
-        self.reflect.unwrap_or(self.specular)
-    }
-}
-
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
@@ -132,7 +105,7 @@ pub struct Sphere {
     /// Its radius, in [1e-12, 1e12].
     pub radius: f64,
     /// What it is made of.
-    pub material: Material,
+    pub material: MaterialId,
 }
 
 /// An infinite plane.
@@ -143,7 +116,27 @@ pub struct Plane {
     /// Its normal, any length but zero.
     pub normal: [f64; 3],
     /// What it is made of, on both sides.
-    pub material: Material,
+    pub material: MaterialId,
+}
+
+/// Sphere or plane of a draft.
+#[derive(Clone, Copy, Debug)]
+pub enum Body<'a> {
+    /// One of [`Draft::spheres`].
+    Sphere(&'a Sphere),
+    /// One of [`Draft::planes`].
+    Plane(&'a Plane),
+}
+
+impl Body<'_> {
+    /// What it is made of.
+    #[must_use]
+    pub fn material(self) -> MaterialId {
+        match self {
+            Self::Sphere(sphere) => sphere.material,
+            Self::Plane(plane) => plane.material,
+        }
+    }
 }
 
 /// A scene as stated. [`crate::Scene::new`] makes it valid or names what is wrong.
@@ -157,8 +150,31 @@ pub struct Draft {
     pub render: Render,
     /// Point lights; their order is the order of summation.
     pub lights: Vec<Light>,
+    /// Materials of the bodies, and named ones that no body has.
+    pub materials: Materials,
     /// Spheres; on equal distance the lower index is seen.
     pub spheres: Vec<Sphere>,
     /// Planes; they come after all spheres in that order.
     pub planes: Vec<Plane>,
+}
+
+impl Draft {
+    /// All spheres, then all planes: the order of bodies everywhere, in which the first of two
+    /// at the same distance is seen.
+    pub fn bodies(&self) -> impl DoubleEndedIterator<Item = Body<'_>> + Clone {
+        let spheres = self.spheres.iter().map(Body::Sphere);
+        spheres.chain(self.planes.iter().map(Body::Plane))
+    }
+
+    /// Gives each body, in the order of [`Draft::bodies`], a material of its own, which `change`
+    /// makes of the one that it has.
+    pub fn remake_materials(&mut self, mut change: impl FnMut(&mut Material)) {
+        let Self { materials, spheres, planes, .. } = self;
+        let of_spheres = spheres.iter_mut().map(|sphere| &mut sphere.material);
+        for id in of_spheres.chain(planes.iter_mut().map(|plane| &mut plane.material)) {
+            let mut material = materials[*id];
+            change(&mut material);
+            *id = materials.add(material);
+        }
+    }
 }

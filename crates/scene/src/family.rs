@@ -34,11 +34,7 @@ pub use corridor::Corridor;
 pub use draws::Draws;
 pub use kissing::{Arrangement, Kissing};
 pub use lattice::Lattice;
-pub use parameter::OutOfRange;
+pub use parameter::{MOST_BALLS, OutOfRange};
 pub use random::{Placement, Random};
 pub use room::Room;
 pub use sphereflake::Sphereflake;
-
-/// Balls of one scene, at most; mirrors, floors and walls come on top. A draft of so many
-/// takes about 100 MB.
-pub const MOST_BALLS: u32 = 1_000_000;

@@ -19,8 +19,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use crate::error::{KeyPath, Problem, Segment, Target};
-use crate::validate::{validate_materials, validate_settings};
-use crate::{Draft, Material, Scene, SceneError};
+use crate::{Draft, Scene, SceneError};
 use draft::Reader;
 use memory::Memory;
 use value::Value;
@@ -61,8 +60,6 @@ pub struct Document {
     text: String,
     format: SceneFormat,
     draft: Draft,
-    /// All materials that have a name, so that unused ones are validated too.
-    materials: Vec<(String, Material)>,
 }
 
 impl Document {
@@ -97,9 +94,9 @@ impl Document {
             SceneFormat::Toml => toml::read(name, &text, &mut reader)?,
             SceneFormat::Json => json::read(name, &text, &mut reader)?,
         }
-        let (draft, materials) =
+        let draft =
             reader.finish().map_err(|problem| locate_stated(name, &text, format, problem))?;
-        Ok(Self { name: name.to_owned(), text, format, draft, materials })
+        Ok(Self { name: name.to_owned(), text, format, draft })
     }
 
     /// The name that messages use.
@@ -119,17 +116,13 @@ impl Document {
         &mut self.draft
     }
 
-    /// Validates the draft, and the named materials that nothing uses.
+    /// Validates the draft.
     ///
     /// # Errors
     /// The first key, in the order of the format, whose value is not allowed.
     pub fn into_scene(mut self) -> Result<Scene, SceneError> {
         let draft = std::mem::take(&mut self.draft);
-        validate_settings(&draft)
-            .and_then(|()| validate_materials(&draft, &self.materials))
-            .map_err(SceneError::from)
-            .and_then(|()| Scene::new(draft))
-            .map_err(|error| self.locate_found(error))
+        Scene::new(draft).map_err(|error| self.locate_found(error))
     }
 
     /// Adds the place of a value that is out of range, if the file holds that value.

@@ -5,26 +5,35 @@
 
 pub mod allowed;
 mod camera;
+mod check;
 mod material;
 
-use crate::direction::unit;
-use crate::error::{Fault, Trail, number};
-use crate::{Draft, Material, SceneError};
-use allowed::{AMOUNT, Allowed, COMPONENT, COORDINATE, LIGHT, RADIUS, SIDE};
-use material::Brightest;
+use std::collections::HashSet;
 
-/// Spheres and planes that a scene may have: the engine's stack counts their materials in 22 bits.
-pub const MOST_PRIMITIVES: usize = 4_000_000;
+use crate::draft::{Body, Draft};
+use crate::error::{Fault, SceneError, Trail};
+use allowed::{AMOUNT, COORDINATE, LIGHT, RADIUS, SIDE};
+use check::{direction, one, triple};
+use material::{Brightest, material};
+
+/// Materials that a scene may have: the engine's stack holds their numbers in 22 bits.
+pub const MOST_MATERIALS: usize = 4_000_000;
+
+/// Spheres and planes that a scene may have: the renderers hold their numbers in 32 bits. Memory
+/// ends far below.
+pub const MOST_BODIES: usize = 4_000_000_000;
 
 /// All of a draft.
 pub(crate) fn validate(draft: &Draft) -> Result<(), SceneError> {
     validate_settings(draft)?;
-    validate_bodies(draft)?;
+    let brightest = Brightest::of(draft);
+    validate_materials(draft, &brightest)?;
+    validate_bodies(draft, &brightest)?;
     Ok(())
 }
 
 /// What comes before the materials: picture, camera, rendering, lights.
-pub(crate) fn validate_settings(draft: &Draft) -> Result<(), Fault> {
+fn validate_settings(draft: &Draft) -> Result<(), Fault> {
     let image = Trail::Root.key("image");
     one(image.key("width"), f64::from(draft.image.width), &SIDE)?;
     one(image.key("height"), f64::from(draft.image.height), &SIDE)?;
@@ -45,60 +54,69 @@ pub(crate) fn validate_settings(draft: &Draft) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Materials that have a name, in the light of a draft whose settings are valid.
-pub(crate) fn validate_materials(
-    draft: &Draft,
-    materials: &[(String, Material)],
-) -> Result<(), Fault> {
-    let brightest = Brightest::of(draft);
+/// Number of materials, and those that have a name or that no body has. Others are validated where
+/// the first body that has them stands, as the file states them there.
+fn validate_materials(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
+    let materials = &draft.materials;
     let trail = Trail::Root.key("materials");
-    materials
-        .iter()
-        .try_for_each(|(name, stated)| material::material(trail.key(name), stated, &brightest))
-}
-
-/// Spheres and planes, in the light of a draft whose settings are valid.
-fn validate_bodies(draft: &Draft) -> Result<(), Fault> {
-    let spheres = Trail::Root.key("spheres");
-    let bodies = draft.spheres.len() + draft.planes.len();
-    if bodies > MOST_PRIMITIVES {
-        let found = format!("{bodies} spheres and planes");
-        return Err(Fault::new(spheres, found, format!("at most {MOST_PRIMITIVES} of them")));
+    if materials.len() > MOST_MATERIALS {
+        let found = format!("{} materials", materials.len());
+        let allowed =
+            format!("at most {MOST_MATERIALS}; bodies that name the same material share it");
+        return Err(Fault::new(trail, found, allowed));
     }
-    let brightest = Brightest::of(draft);
-    for (index, sphere) in draft.spheres.iter().enumerate() {
-        let trail = spheres.index(index);
-        triple(trail.key("center"), sphere.center, &COORDINATE)?;
-        one(trail.key("radius"), sphere.radius, &RADIUS)?;
-        material::material(trail, &sphere.material, &brightest)?;
-    }
-    let planes = Trail::Root.key("planes");
-    for (index, plane) in draft.planes.iter().enumerate() {
-        let trail = planes.index(index);
-        triple(trail.key("point"), plane.point, &COORDINATE)?;
-        direction(trail.key("normal"), plane.normal)?;
-        material::material(trail, &plane.material, &brightest)?;
+    let mut names = HashSet::new();
+    for (name, stated) in materials.named() {
+        if !names.insert(name) {
+            let allowed = "a name that no other material has";
+            return Err(Fault::new(trail.key(name), "it twice".to_owned(), allowed));
+        }
+        material(trail.key(name), stated, brightest)?;
     }
     Ok(())
 }
 
-/// One number in its range.
-fn one(trail: Trail<'_>, x: f64, allowed: &Allowed) -> Result<(), Fault> {
-    if allowed.holds(x) { Ok(()) } else { Err(Fault::new(trail, number(x), allowed.text)) }
-}
-
-/// Three numbers, each in that range; the message is about the one that is not.
-fn triple(trail: Trail<'_>, v: [f64; 3], allowed: &Allowed) -> Result<(), Fault> {
-    v.into_iter().enumerate().try_for_each(|(axis, x)| one(trail.index(axis), x, allowed))
-}
-
-/// A direction of any length but zero, as a unit vector.
-fn direction(trail: Trail<'_>, v: [f64; 3]) -> Result<[f64; 3], Fault> {
-    triple(trail, v, &COMPONENT)?;
-    unit(v).ok_or_else(|| Fault::new(trail, list(v), "a direction that is not zero"))
-}
-
-/// Three numbers as messages show them.
-fn list(v: [f64; 3]) -> String {
-    format!("[{}]", v.map(number).join(", "))
+/// Spheres and planes, each with the material that it states, and then the materials that nothing
+/// names.
+fn validate_bodies(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
+    let (spheres, planes) = (Trail::Root.key("spheres"), Trail::Root.key("planes"));
+    let bodies = draft.spheres.len() + draft.planes.len();
+    if bodies > MOST_BODIES {
+        let found = format!("{bodies} spheres and planes");
+        return Err(Fault::new(spheres, found, format!("at most {MOST_BODIES} of them")));
+    }
+    let mut unseen = vec![true; draft.materials.len()];
+    for (place, body) in draft.bodies().enumerate() {
+        let trail = match body {
+            Body::Sphere(_) => spheres.index(place),
+            Body::Plane(_) => planes.index(place - draft.spheres.len()),
+        };
+        match body {
+            Body::Sphere(sphere) => {
+                triple(trail.key("center"), sphere.center, &COORDINATE)?;
+                one(trail.key("radius"), sphere.radius, &RADIUS)?;
+            }
+            Body::Plane(plane) => {
+                triple(trail.key("point"), plane.point, &COORDINATE)?;
+                direction(trail.key("normal"), plane.normal)?;
+            }
+        }
+        let id = body.material();
+        let Some(stated) = draft.materials.get(id) else {
+            let found = format!("the id of material {}", id.index());
+            let allowed = format!(
+                "the id of one of this draft's {} materials, which `materials.add` gives",
+                draft.materials.len()
+            );
+            return Err(Fault::new(trail.key("material"), found, allowed));
+        };
+        if std::mem::take(&mut unseen[id.index()]) && draft.materials.name(id).is_none() {
+            material(trail, stated, brightest)?;
+        }
+    }
+    let materials = Trail::Root.key("materials");
+    for (id, stated) in draft.materials.iter().filter(|(id, _)| unseen[id.index()]) {
+        material(materials.index(id.index()), stated, brightest)?;
+    }
+    Ok(())
 }

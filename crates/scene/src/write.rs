@@ -5,7 +5,8 @@
 
 mod entries;
 mod layout;
-mod sharing;
+mod names;
+mod text;
 
 use crate::{Scene, SceneFormat};
 
@@ -13,10 +14,9 @@ impl Scene {
     /// The scene as text that reads back to the same numbers, bit by bit.
     ///
     /// Keys stand in the order of the format. Image size, camera and depth are always
-    /// written, other keys only where they differ from their defaults. A material that
-    /// several bodies share is written once, under the name m0, m1, ...; one that only one
-    /// body has stands inline. Names that a file gave its materials, and materials that
-    /// nothing uses, are not part of a scene.
+    /// written, other keys only where they differ from their defaults. Materials keep their
+    /// names and their order, those too that no body has. One without a name stands inline, or, if
+    /// several bodies share it, once under the first free of the names m0, m1, ...
     #[must_use]
     pub fn to_text(&self, format: SceneFormat) -> String {
         let sections = entries::sections(self);

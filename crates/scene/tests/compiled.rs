@@ -65,11 +65,11 @@ fn scene(numerics: Numerics) -> (Draft, Scene) {
     draft.camera.up = [0.3, 0.2, -1.7 + 3e-7];
     draft.lights.push(Light { position: [7.1, 8.3, 9.7], intensity: [1.0; 3] });
     let center = [EYE[0] + 6.1e11, EYE[1] - 5.3e11, EYE[2] + 5.9e11];
-    draft.spheres.push(Sphere { center, radius: 1e12, material });
+    draft.spheres.push(Sphere { center, radius: 1e12, material: draft.materials.add(material) });
     let center = [EYE[0] + 1.1, EYE[1] - 3.7, EYE[2] - 9.1];
-    draft.spheres.push(Sphere { center, radius: 0.3, material });
+    draft.spheres.push(Sphere { center, radius: 0.3, material: draft.materials.add(material) });
     let (point, normal) = ([-7.7e5, 3.1e4, 1.1e6], [0.3e200, -0.5e200, 0.7e200]);
-    draft.planes.push(Plane { point, normal, material });
+    draft.planes.push(Plane { point, normal, material: draft.materials.add(material) });
     (draft.clone(), Scene::new(draft).expect("valid"))
 }
 
@@ -150,8 +150,8 @@ proptest! {
         lights in vec(prop::array::uniform3(-30.0..30.0), 0..4),
         textbook in any::<bool>(),
     ) {
-        let material = Material::matt([0.3; 3]);
         let mut draft = Draft::default();
+        let material = draft.materials.add(Material::matt([0.3; 3]));
         draft.render.numerics = if textbook { Numerics::Textbook } else { Numerics::Robust };
         draft.camera.position = eye;
         draft.camera.look_at = [eye[0] + 1.0, eye[1] + 0.1, eye[2]];

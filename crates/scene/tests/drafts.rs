@@ -1,7 +1,10 @@
 //! Generated drafts that are valid scenes.
 
+use std::collections::BTreeSet;
+
 use catoptric_scene::{
-    Camera, Draft, Image, Light, Material, Numerics, Plane, Render, Scene, Sphere, Transfer,
+    Camera, Draft, Image, Light, Material, Materials, Numerics, Plane, Render, Scene, Sphere,
+    Transfer,
 };
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -46,6 +49,16 @@ fn material() -> impl Strategy<Value = Material> {
     )
 }
 
+/// Words that some file may call a material, with every kind of character.
+fn name() -> impl Strategy<Value = String> {
+    prop_oneof![
+        "[a-z0-9_-]{0,3}",
+        "m[0-2]",
+        "\\PC{1,4}",
+        vec(any::<char>(), 0..4).prop_map(String::from_iter)
+    ]
+}
+
 fn image() -> impl Strategy<Value = Image> {
     let transfer = select(vec![Transfer::Linear, Transfer::Srgb]);
     (1..=65_535_u32, 1..=65_535_u32, transfer).prop_map(|(width, height, transfer)| Image {
@@ -81,10 +94,20 @@ fn light() -> impl Strategy<Value = Light> {
     (place(), light_rgb()).prop_map(|(position, intensity)| Light { position, intensity })
 }
 
-/// Drafts that are valid. Few materials, so that bodies share some.
+/// Drafts that are valid. Few materials, so that bodies share some; some have names, some no body.
 pub(crate) fn draft() -> impl Strategy<Value = Draft> {
-    let bodies = vec(material(), 1..4).prop_flat_map(|materials| {
-        let made = select(materials);
+    let bodies = vec((material(), proptest::option::of(name())), 1..4).prop_flat_map(|made| {
+        let mut materials = Materials::default();
+        let mut ids = Vec::new();
+        let mut taken = BTreeSet::new();
+        for (made, name) in made {
+            let name = name.filter(|name| taken.insert(name.clone()));
+            ids.push(match name {
+                Some(name) => materials.add_named(name, made),
+                None => materials.add(made),
+            });
+        }
+        let made = select(ids);
         let sphere = (place(), 1e-12..1e12_f64, made.clone())
             .prop_map(|(center, radius, material)| Sphere { center, radius, material });
         let plane = (place(), place(), made).prop_map(|(point, normal, material)| Plane {
@@ -92,14 +115,15 @@ pub(crate) fn draft() -> impl Strategy<Value = Draft> {
             normal,
             material,
         });
-        (vec(sphere, 0..6), vec(plane, 0..4))
+        (Just(materials), vec(sphere, 0..6), vec(plane, 0..4))
     });
     ((image(), camera(), render()), vec(light(), 0..4), bodies)
-        .prop_map(|((image, camera, render), lights, (spheres, planes))| Draft {
+        .prop_map(|((image, camera, render), lights, (materials, spheres, planes))| Draft {
             image,
             camera,
             render,
             lights,
+            materials,
             spheres,
             planes,
         })

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use catoptric_scene::{
-    Camera, Document, Draft, Image, Light, Material, Numerics, Plane, Render, Scene, SceneFormat,
-    Sphere, Transfer,
+    Camera, Document, Draft, Image, Light, Material, Materials, Numerics, Plane, Render, Scene,
+    SceneFormat, Sphere, Transfer,
 };
 
 use crate::{json, toml};
@@ -49,7 +49,7 @@ fn lights_and_materials_have_defaults_too() {
     )
     .expect("valid");
     assert_eq!(scene.lights, [Light { position: [1.0, 2.0, 3.0], intensity: [1.0; 3] }]);
-    let Sphere { material, .. } = scene.spheres[0];
+    let material = scene.materials[scene.spheres[0].material];
     assert_eq!(material, Material::matt([0.5; 3]));
     assert_eq!((material.diffuse, material.specular, material.shininess), (1.0, 0.0, 0.0));
     assert_eq!(material.reflect, None);
@@ -113,18 +113,22 @@ fn the_workshop_is_read() {
         shininess: 20.0,
         ..Material::matt(color)
     };
-    let sphere = |center, radius, material| Sphere { center, radius, material };
-    let expected = Draft {
-        lights: vec![Light { position: [0.0, 20.0, 0.0], intensity: [1.0; 3] }],
-        spheres: vec![
-            sphere([0.0, -10_004.0, -20.0], 10_000.0, Material::matt([0.4; 3])),
-            sphere([0.0, 0.0, -20.0], 4.0, glossy([1.0, 0.32, 0.36], 0.2, 0.8)),
-            sphere([5.0, -1.0, -15.0], 2.0, glossy([0.9, 0.76, 0.46], 0.1, 0.9)),
-            sphere([5.0, 0.0, -25.0], 3.0, glossy([0.65, 0.77, 0.97], 0.5, 0.5)),
-            sphere([-5.5, 0.0, -15.0], 3.0, glossy([0.9; 3], 0.5, 0.5)),
-        ],
-        ..Draft::default()
-    };
+    let mut expected = Draft::default();
+    expected.lights.push(Light { position: [0.0, 20.0, 0.0], intensity: [1.0; 3] });
+    let ground = expected.materials.add_named("ground", Material::matt([0.4; 3]));
+    let red = expected.materials.add_named("red", glossy([1.0, 0.32, 0.36], 0.2, 0.8));
+    expected.spheres = vec![
+        Sphere { center: [0.0, -10_004.0, -20.0], radius: 10_000.0, material: ground },
+        Sphere { center: [0.0, 0.0, -20.0], radius: 4.0, material: red },
+    ];
+    for (center, radius, material) in [
+        ([5.0, -1.0, -15.0], 2.0, glossy([0.9, 0.76, 0.46], 0.1, 0.9)),
+        ([5.0, 0.0, -25.0], 3.0, glossy([0.65, 0.77, 0.97], 0.5, 0.5)),
+        ([-5.5, 0.0, -15.0], 3.0, glossy([0.9; 3], 0.5, 0.5)),
+    ] {
+        let material = expected.materials.add(material);
+        expected.spheres.push(Sphere { center, radius, material });
+    }
     assert_eq!(*toml(WORKSHOP).expect("valid"), expected);
 }
 
@@ -180,14 +184,18 @@ material = "red"
 "#;
 
 fn all_keys() -> Draft {
-    let red = Material {
-        color: [1.0, 0.32, 0.36],
-        diffuse: 0.2,
-        specular: 0.8,
-        shininess: 20.0,
-        reflect: Some(0.75),
-    };
-    let ground = Material::matt([0.4; 3]);
+    let mut materials = Materials::default();
+    let red = materials.add_named(
+        "red",
+        Material {
+            color: [1.0, 0.32, 0.36],
+            diffuse: 0.2,
+            specular: 0.8,
+            shininess: 20.0,
+            reflect: Some(0.75),
+        },
+    );
+    let ground = materials.add(Material::matt([0.4; 3]));
     Draft {
         image: Image { width: 320, height: 240, transfer: Transfer::Srgb },
         camera: Camera {
@@ -207,6 +215,7 @@ fn all_keys() -> Draft {
             Light { position: [0.0, 20.0, 0.0], intensity: [1.0; 3] },
             Light { position: [5.0, 20.0, 0.0], intensity: [0.5, 0.25, 0.0] },
         ],
+        materials,
         spheres: vec![
             Sphere { center: [0.0, 0.0, -20.0], radius: 4.0, material: red },
             Sphere { center: [0.0, -10_004.0, -20.0], radius: 10_000.0, material: ground },

@@ -1,7 +1,7 @@
 //! Every range, at its ends and just past them.
 
 use catoptric_scene::{
-    Camera, Draft, Image, Light, MOST_PRIMITIVES, Material, Plane, Render, Scene, Sphere,
+    Camera, Draft, Image, Light, MOST_MATERIALS, Material, Materials, Plane, Scene, Sphere,
 };
 
 /// A number of a draft.
@@ -9,13 +9,14 @@ type Number = fn(&mut Draft) -> &mut f64;
 
 /// A scene with one of everything.
 fn draft() -> Draft {
-    let material = Material { specular: 0.5, reflect: Some(0.5), ..Material::matt([0.5; 3]) };
-    Draft {
-        lights: vec![Light { position: [0.0, 20.0, 0.0], intensity: [1.0; 3] }],
-        spheres: vec![Sphere { center: [0.0, 0.0, -20.0], radius: 4.0, material }],
-        planes: vec![Plane { point: [0.0; 3], normal: [0.0, 1.0, 0.0], material }],
-        ..Draft::default()
-    }
+    let made = Material { specular: 0.5, reflect: Some(0.5), ..Material::matt([0.5; 3]) };
+    let mut draft = Draft::default();
+    draft.lights.push(Light { position: [0.0, 20.0, 0.0], intensity: [1.0; 3] });
+    let material = draft.materials.add(made);
+    draft.spheres.push(Sphere { center: [0.0, 0.0, -20.0], radius: 4.0, material });
+    let material = draft.materials.add(made);
+    draft.planes.push(Plane { point: [0.0; 3], normal: [0.0, 1.0, 0.0], material });
+    draft
 }
 
 fn refused(draft: Draft) -> Option<(String, String)> {
@@ -50,13 +51,43 @@ const RANGES: &[Range<'_>] = &[
         [1e-12_f64.next_down(), 1e12_f64.next_up()],
         "from 1e-12 to 1e12",
     ),
-    ("spheres[0].color[0]", |d| &mut d.spheres[0].material.color[0], [0.0, 9e19], TOO_MUCH, "f32"),
-    ("spheres[0].diffuse", |d| &mut d.spheres[0].material.diffuse, [0.0, 1e20], TOO_MUCH, "f32"),
-    ("spheres[0].specular", |d| &mut d.spheres[0].material.specular, [0.0, 9e19], TOO_MUCH, "f32"),
-    ("spheres[0].shininess", |d| &mut d.spheres[0].material.shininess, AMOUNT, TOO_MUCH, "f32"),
+    (
+        "spheres[0].color[0]",
+        |d| &mut d.materials[d.spheres[0].material].color[0],
+        [0.0, 9e19],
+        TOO_MUCH,
+        "f32",
+    ),
+    (
+        "spheres[0].diffuse",
+        |d| &mut d.materials[d.spheres[0].material].diffuse,
+        [0.0, 1e20],
+        TOO_MUCH,
+        "f32",
+    ),
+    (
+        "spheres[0].specular",
+        |d| &mut d.materials[d.spheres[0].material].specular,
+        [0.0, 9e19],
+        TOO_MUCH,
+        "f32",
+    ),
+    (
+        "spheres[0].shininess",
+        |d| &mut d.materials[d.spheres[0].material].shininess,
+        AMOUNT,
+        TOO_MUCH,
+        "f32",
+    ),
     ("planes[0].point[0]", |d| &mut d.planes[0].point[0], [-1e15, 1e15], OUT, "1e15"),
     ("planes[0].normal[0]", |d| &mut d.planes[0].normal[0], [-1e300, f64::MAX], INFINITE, "finite"),
-    ("planes[0].diffuse", |d| &mut d.planes[0].material.diffuse, [0.0, 1e20], TOO_MUCH, "f32"),
+    (
+        "planes[0].diffuse",
+        |d| &mut d.materials[d.planes[0].material].diffuse,
+        [0.0, 1e20],
+        TOO_MUCH,
+        "f32",
+    ),
 ];
 
 const OUT: [f64; 2] = [(-1e15_f64).next_down(), 1e15_f64.next_up()];
@@ -104,9 +135,10 @@ fn sizes_are_1_to_65535() {
 #[test]
 fn mirrors_send_back_at_most_all() {
     let with = |specular, reflect| {
+        let mut draft = draft();
         let material = Material { specular, reflect, ..Material::matt([0.5; 3]) };
-        let sphere = Sphere { material, ..draft().spheres[0] };
-        refused(Draft { spheres: vec![sphere], ..draft() })
+        draft.materials[draft.spheres[0].material] = material;
+        refused(draft)
     };
     for (specular, reflect) in [(0.0, None), (1.0, None), (9.0, Some(0.0)), (9.0, Some(1.0))] {
         assert_eq!(with(specular, reflect), None);
@@ -125,12 +157,13 @@ fn mirrors_send_back_at_most_all() {
 fn light_sent_back_stays_within_f32() {
     let with = |ambient: f64, intensity: f64, material: Material| {
         let light = Light { position: [0.0, 20.0, 0.0], intensity: [intensity; 3] };
-        refused(Draft {
-            render: Render { ambient: [ambient; 3], ..Render::default() },
-            lights: vec![light; 4],
-            spheres: vec![Sphere { material, ..draft().spheres[0] }],
-            ..Draft::default()
-        })
+        let mut draft = draft();
+        draft.render.ambient = [ambient; 3];
+        draft.lights = vec![light; 4];
+        draft.planes.clear();
+        draft.materials = Materials::default();
+        draft.spheres[0].material = draft.materials.add(material);
+        refused(draft)
     };
     let matt = |color| Material::matt([0.0, color, 0.0]);
     assert_eq!(with(1e10, 0.0, matt(1e10)), None);
@@ -221,7 +254,7 @@ fn the_first_wrong_key_in_the_order_of_the_format_is_named() {
     let mut draft = draft();
     draft.planes[0].normal = [0.0; 3];
     assert_eq!(refused(draft.clone()).expect("wrong").0, "planes[0].normal");
-    draft.spheres[0].material.color[1] = -1.0;
+    draft.materials[draft.spheres[0].material].color[1] = -1.0;
     assert_eq!(refused(draft.clone()).expect("wrong").0, "spheres[0].color[1]");
     draft.lights[0].intensity[0] = f64::NAN;
     assert_eq!(refused(draft.clone()).expect("wrong").0, "lights[0].intensity[0]");
@@ -230,13 +263,69 @@ fn the_first_wrong_key_in_the_order_of_the_format_is_named() {
 }
 
 #[test]
-fn so_many_primitives_and_no_more() {
+fn so_many_materials_and_no_more() {
     let mut draft = draft();
-    draft.spheres = vec![draft.spheres[0]; MOST_PRIMITIVES];
-    let (key, message) = refused(draft.clone()).expect("with the plane one too many");
-    assert_eq!(key, "spheres");
-    assert!(message.contains("4000001 spheres and planes"), "{message}");
-    assert!(message.contains("at most 4000000"), "{message}");
-    draft.planes.clear();
+    let matt = Material::matt([0.5; 3]);
+    (draft.materials.len()..MOST_MATERIALS).for_each(|_| _ = draft.materials.add(matt));
+    assert_eq!(refused(draft.clone()), None);
+    draft.materials.add(matt);
+    let (key, message) = refused(draft).expect("one too many");
+    assert_eq!(key, "materials");
+    assert!(message.contains("4000001 materials"), "{message}");
+    assert!(message.contains("at most 4000000; bodies that name the same"), "{message}");
+}
+
+/// Their number is not that of materials.
+#[test]
+fn more_bodies_than_materials_are_a_scene() {
+    let mut draft = draft();
+    draft.spheres = vec![draft.spheres[0]; MOST_MATERIALS + 1];
     assert_eq!(refused(draft), None);
+}
+
+#[test]
+fn a_material_of_another_draft_is_refused() {
+    let mut other = Materials::default();
+    let ids = [0; 3].map(|_| other.add(Material::matt([0.5; 3])));
+    let refused = |change: &dyn Fn(&mut Draft)| {
+        let mut draft = draft();
+        change(&mut draft);
+        refused(draft)
+    };
+    assert_eq!(refused(&|d| d.spheres[0].material = ids[1]), None);
+    let (key, message) = refused(&|d| d.spheres[0].material = ids[2]).expect("not there");
+    assert_eq!(key, "spheres[0].material");
+    assert!(message.contains("the id of one of this draft's 2 materials"), "{message}");
+    let (key, _) = refused(&|d| d.planes[0].material = ids[2]).expect("not there");
+    assert_eq!(key, "planes[0].material");
+}
+
+/// A material is named in a message as a file would name it.
+#[test]
+fn materials_are_named_by_name_or_by_their_first_body() {
+    let wrong = Material { diffuse: -1.0, ..Material::matt([0.5; 3]) };
+    let key = |change: &dyn Fn(&mut Draft)| {
+        let mut draft = draft();
+        change(&mut draft);
+        refused(draft).expect("wrong").0
+    };
+    let second = |d: &mut Draft, id| d.spheres.push(Sphere { material: id, ..d.spheres[0] });
+    let unnamed = |d: &mut Draft| {
+        let id = d.materials.add(wrong);
+        second(d, id);
+        second(d, id);
+    };
+    assert_eq!(key(&unnamed), "spheres[1].diffuse");
+    let named = |d: &mut Draft| {
+        let id = d.materials.add_named("a b", wrong);
+        second(d, id);
+    };
+    assert_eq!(key(&named), "materials.\"a b\".diffuse");
+    assert_eq!(key(&|d| _ = d.materials.add_named("unused", wrong)), "materials.unused.diffuse");
+    assert_eq!(key(&|d| _ = d.materials.add(wrong)), "materials[2].diffuse");
+    let twice = |d: &mut Draft| {
+        d.materials.add_named("red", Material::matt([0.5; 3]));
+        d.materials.add_named("red", Material::matt([0.5; 3]));
+    };
+    assert_eq!(key(&twice), "materials.red");
 }

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use catoptric_scene::{Document, Draft, MOST_PRIMITIVES, SceneFormat};
+use catoptric_scene::{Document, Draft, MOST_MATERIALS, SceneFormat};
 
 use crate::toml;
 
@@ -205,7 +205,8 @@ fn specular_alone_makes_a_mirror() {
     let mirror = |keys: &str| {
         let text =
             format!("[[spheres]]\ncenter = [0, 0, -9]\nradius = 2\ncolor = [1, 1, 1]\n{keys}");
-        toml(&text).expect("a scene").spheres[0].material.mirror()
+        let draft = toml(&text).expect("a scene");
+        draft.materials[draft.spheres[0].material].mirror()
     };
     assert_eq!(mirror("specular = 0.8"), 0.8);
     assert_eq!(mirror("specular = 0.8\nreflect = 0"), 0.0);
@@ -239,7 +240,7 @@ fn rules_between_keys_have_the_words_of_the_messages() {
         let rule = allowed.split("; ").next().expect("words");
         assert!(readme.contains(rule), "{key}: {rule:?} is not in the reference");
     }
-    assert!(readme.contains(&format!("at most {MOST_PRIMITIVES}.")));
+    assert!(readme.contains(&format!("at most {MOST_MATERIALS} materials.")));
 }
 
 /// JSON says the same of the same scene.

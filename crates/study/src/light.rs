@@ -19,7 +19,7 @@
 
 use std::sync::OnceLock;
 
-use catoptric_scene::{Material, Numerics, Scene};
+use catoptric_scene::{Body, Material, Numerics, Scene};
 
 use crate::metrics::larger;
 
@@ -62,20 +62,25 @@ impl LightBounds {
     fn of(scene: &Scene, channels: &[usize]) -> Self {
         let eye = scene.camera.position;
         let leaks = scene.render.numerics == Numerics::Textbook;
-        let surface = |material: &Material, itself| Surface {
-            local: local(scene, material, channels),
-            mirror: material.mirror(),
-            itself: itself || leaks,
+        let itself = |body: Body<'_>| match body {
+            Body::Sphere(sphere) => {
+                let from_center = [0, 1, 2].map(|i| eye[i] - sphere.center[i]);
+                let squared: f64 = from_center.iter().map(|x| x * x).sum();
+                // On the safe side of rounding: a sphere that the eye is on may count as around.
+                squared.sqrt() <= sphere.radius * (1.0 + 1e-9)
+            }
+            Body::Plane(_) => false,
         };
-        let spheres = scene.spheres.iter().map(|sphere| {
-            let from_center = [0, 1, 2].map(|i| eye[i] - sphere.center[i]);
-            let squared: f64 = from_center.iter().map(|x| x * x).sum();
-            // On the safe side of rounding: a sphere that the eye is on may count as around.
-            surface(&sphere.material, squared.sqrt() <= sphere.radius * (1.0 + 1e-9))
-        });
-        let planes = scene.planes.iter().map(|plane| surface(&plane.material, false));
+        let surface = |body: Body<'_>| {
+            let material = &scene.materials[body.material()];
+            Surface {
+                local: local(scene, material, channels),
+                mirror: material.mirror(),
+                itself: itself(body) || leaks,
+            }
+        };
         let background = channels.iter().map(|&c| scene.render.background[c]).fold(0.0, larger);
-        let surfaces = spheres.chain(planes).collect();
+        let surfaces = scene.bodies().map(surface).collect();
         Self { background, surfaces, endless: OnceLock::new() }
     }
 

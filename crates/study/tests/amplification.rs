@@ -98,9 +98,13 @@ fn the_spread_is_the_derivative_of_every_hit() {
     (draft.image.width, draft.image.height) = (5, 4);
     draft.render.max_depth = 20;
     let mirror = Material { reflect: Some(0.9), ..Material::matt([0.5; 3]) };
-    draft.spheres.iter_mut().for_each(|sphere| sphere.material = mirror);
+    draft.remake_materials(|material| *material = mirror);
     let normal = [0.3, 1.0, -0.2];
-    draft.planes.push(Plane { point: [0.1, -7.3, 0.2], normal, material: mirror });
+    draft.planes.push(Plane {
+        point: [0.1, -7.3, 0.2],
+        normal,
+        material: draft.materials.add(mirror),
+    });
     let scene = Scene::new(draft).expect("valid");
     let (view, truth) = (View::whole(&scene), Truth::new(&scene, Precision::DoubleDouble));
     let eye = DVec3::from_array(scene.camera.position);

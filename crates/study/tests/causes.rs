@@ -103,10 +103,9 @@ fn before_a_wall_it_is_another_primitive_and_a_moved_lamp_is_a_shadow() {
 /// 0.7 · 0.7 is above a least weight of 0.49 - 1e-9, and below it in f32.
 #[test]
 fn a_path_that_one_precision_cuts_is_a_cut() {
-    let mut ball = matt([0.0, 0.0, -3.0], 1.0);
-    ball.material.reflect = Some(0.7);
-    let behind = Sphere { center: [0.0, 0.0, 3.0], ..ball };
+    let [ball, behind] = [-3.0, 3.0].map(|z| matt([0.0, 0.0, z], 1.0));
     let mut draft = seen([1, 1], FOV, [0.0; 3], &[ball, behind]);
+    draft.remake_materials(|material| material.reflect = Some(0.7));
     draft.camera.look_at = [0.001, 0.001, -1.0];
     draft.render.min_weight = 0.49 - 1e-9;
     draft.render.max_depth = 2;

@@ -15,6 +15,7 @@ use super::scenes::{matt, scene, seen};
 fn the_derivative_is_that_of_the_closed_form() {
     let mut draft = seen([9, 7], 100.0, [0.0; 3], &[]);
     let material = Material::matt([0.8, 0.7, 0.6]);
+    let material = draft.materials.add(material);
     draft.planes = vec![Plane { point: [0.3, 0.1, -1.0], normal: [0.0, 0.0, 2.0], material }];
     // The same picture whichever way the camera stands.
     draft.camera.up = [0.3, 1.0, 0.0];
@@ -37,9 +38,9 @@ fn the_derivative_is_that_of_the_closed_form() {
 /// to the four pixels on either side, as a full step, and the derivative does not.
 #[test]
 fn edges_within_reach_are_seen_and_no_others() {
-    let mut ball = matt([1.0, 0.0, -7.0], 1.0);
-    ball.material.color = [1.0; 3];
+    let ball = matt([1.0, 0.0, -7.0], 1.0);
     let mut draft = seen([32, 1], 1.0, [0.0; 3], &[ball]);
+    draft.remake_materials(|material| material.color = [1.0; 3]);
     draft.render.ambient = [0.5; 3];
     draft.lights.clear();
     // The left tangent from the eye: at the angle of the centre less asin(r/|c|), which is 0

@@ -64,7 +64,7 @@ fn a_way_with_other_rays_fails_the_study() {
 #[test]
 fn what_cannot_be_compared_is_not_timed() {
     let mut draft = room(1, 1, 0).scene.into_draft();
-    draft.spheres[0].material.reflect = Some(1.0);
+    draft.materials[draft.spheres[0].material].reflect = Some(1.0);
     let subject = Subject { name: "r".to_owned(), scene: Scene::new(draft).expect("valid") };
     let deep = study(subject, &[10, 100_001, 1_000_001], &[RECURSION, ENGINE]).expect("same bits");
     let rows = table(&deep, "depth");

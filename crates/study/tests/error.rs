@@ -82,7 +82,9 @@ fn a_bound_that_is_too_low_is_found() {
 /// Four small mirrors whose longest path no pixel of a small picture holds.
 #[test]
 fn truth_is_as_deep_as_its_own_picture_asks() {
+    let mut draft = Draft::default();
     let mirror = Material { reflect: Some(0.95), ..Material::matt([0.9, 0.6, 0.4]) };
+    let mirror = draft.materials.add(mirror);
     let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
     let middle = [0.515, 0.329, -20.0];
     let sphere = |corner: [f64; 3]| Sphere {
@@ -90,7 +92,6 @@ fn truth_is_as_deep_as_its_own_picture_asks() {
         radius: 0.2,
         material: mirror,
     };
-    let mut draft = Draft::default();
     draft.lights.push(Light { position: [0.0, 20.0, 0.0], intensity: [1.0; 3] });
     draft.spheres = corners.into_iter().map(sphere).collect();
     let settled = Settled::of(&subject("four", draft, 640, 480), &Unwatched).expect("not stopped");

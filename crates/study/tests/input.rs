@@ -10,7 +10,7 @@ use super::scenes::{matt, pictures, scene, seen, workshop};
 fn numbers_that_f32_holds_cost_nothing() {
     let mut draft = seen([16, 12], 30.0, [4.0, 8.0, 2.0], &[matt([0.5, -0.25, -6.0], 1.5)]);
     draft.render.ambient = [0.125; 3];
-    draft.spheres[0].material.color = [0.5, 0.25, 0.75];
+    draft.materials[draft.spheres[0].material].color = [0.5, 0.25, 0.75];
     // Recentred they are small numbers, wherever the scene is.
     let place = [1e7, -3e7, 5e8];
     let moved = |at: &mut [f64; 3]| *at = std::array::from_fn(|i| at[i] + place[i]);

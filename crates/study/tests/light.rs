@@ -68,7 +68,11 @@ fn a_uniform_room_reaches_its_bounds() {
         let material = Material { reflect: Some(k), ..Material::matt([0.5, 0.25, 0.125]) };
         let mut draft = Draft::default();
         draft.render.ambient = [0.2; 3];
-        draft.spheres.push(Sphere { center: [0.0; 3], radius: 3.0, material });
+        draft.spheres.push(Sphere {
+            center: [0.0; 3],
+            radius: 3.0,
+            material: draft.materials.add(material),
+        });
         let scene = Scene::new(draft).expect("valid");
         let sum = |terms: std::ops::RangeInclusive<u32>| {
             terms.map(|n| 0.1 * f64::powf(k, f64::from(n))).sum::<f64>()
@@ -88,12 +92,10 @@ fn who_shows_whom_is_known() {
     let mirror = |k| Material { reflect: Some(k), ..Material::matt([1.0; 3]) };
     let scene = |factors: &[f64]| {
         let mut draft = Draft::default();
-        let sphere = |(i, k): (usize, &f64)| Sphere {
-            center: [3.0 * i as f64, 0.0, -9.0],
-            radius: 1.0,
-            material: mirror(*k),
-        };
-        draft.spheres = factors.iter().enumerate().map(sphere).collect();
+        for (i, k) in factors.iter().enumerate() {
+            let (center, material) = ([3.0 * i as f64, 0.0, -9.0], draft.materials.add(mirror(*k)));
+            draft.spheres.push(Sphere { center, radius: 1.0, material });
+        }
         Scene::new(draft).expect("valid")
     };
     let left_out =

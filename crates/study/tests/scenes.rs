@@ -2,8 +2,8 @@
 
 use catoptric_reference::truth::{Precision, Truth};
 use catoptric_scene::{
-    Compiled, Document, Draft, Film, Grid, Image, Light, Material, Numerics, Scene, SceneFormat,
-    Sphere, View,
+    Compiled, Document, Draft, Film, Grid, Image, Light, Material, MaterialId, Materials, Numerics,
+    Scene, SceneFormat, Sphere, View,
 };
 use catoptric_study::metrics::widened;
 
@@ -16,15 +16,16 @@ pub(crate) fn workshop(width: u32, height: u32, numerics: Numerics) -> Scene {
     draft.image = Image { width, height, ..draft.image };
     draft.render.max_depth = 8;
     draft.render.numerics = numerics;
-    draft.spheres[0].material.reflect = Some(0.3);
+    draft.materials[draft.spheres[0].material].reflect = Some(0.3);
     Scene::new(draft).expect("valid")
 }
 
-/// Looks along -z from the origin at these spheres; a lamp at `lamp`.
+/// Looks along -z from the origin at spheres that [`matt`] made; a lamp at `lamp`.
 pub(crate) fn seen(image: [u32; 2], fov: f64, lamp: [f64; 3], spheres: &[Sphere]) -> Draft {
     let mut draft = Draft {
         image: Image { width: image[0], height: image[1], ..Image::default() },
         lights: vec![Light { position: lamp, intensity: [1.0; 3] }],
+        materials: only_matt().0,
         spheres: spheres.to_vec(),
         ..Draft::default()
     };
@@ -32,8 +33,16 @@ pub(crate) fn seen(image: [u32; 2], fov: f64, lamp: [f64; 3], spheres: &[Sphere]
     draft
 }
 
+/// One matt material, as every draft of [`seen`] has it.
+fn only_matt() -> (Materials, MaterialId) {
+    let mut materials = Materials::default();
+    let id = materials.add(Material::matt([0.8, 0.7, 0.6]));
+    (materials, id)
+}
+
+/// A matt sphere for [`seen`].
 pub(crate) fn matt(center: [f64; 3], radius: f64) -> Sphere {
-    Sphere { center, radius, material: Material::matt([0.8, 0.7, 0.6]) }
+    Sphere { center, radius, material: only_matt().1 }
 }
 
 pub(crate) fn scene(draft: Draft) -> Scene {

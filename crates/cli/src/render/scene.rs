@@ -31,7 +31,7 @@ fn stated(scene: &Draft) -> u64 {
     let lights = scene.lights.capacity() * size_of::<Light>();
     let spheres = scene.spheres.capacity() * size_of::<Sphere>();
     let planes = scene.planes.capacity() * size_of::<Plane>();
-    (lights + spheres + planes) as u64
+    (lights + scene.materials.bytes() + spheres + planes) as u64
 }
 
 /// Bytes that an engine makes of a sphere or plane, at most, while it compiles, plans and traces:

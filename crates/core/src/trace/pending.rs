@@ -1,6 +1,6 @@
 //! What is owed on the return: the entries of the stack.
 
-use catoptric_scene::{MOST_PRIMITIVES, Phong, Scalar};
+use catoptric_scene::{MOST_MATERIALS, Phong, Scalar};
 
 use crate::ray::{RAYS, Slot};
 use crate::simd::{LANES, Lane, Packed};
@@ -31,8 +31,8 @@ impl<S: Lane> PendingBounce<S> {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct ReturnSlot(u32);
 
-/// A scene's materials are no more than its primitives.
-const _: () = assert!(MOST_PRIMITIVES < ReturnSlot::END as usize);
+/// Each of a scene's materials has a number, and END is none of them.
+const _: () = assert!(MOST_MATERIALS < ReturnSlot::END as usize);
 
 impl ReturnSlot {
     /// No ray's slot.

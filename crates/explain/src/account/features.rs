@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use catoptric_scene::{Compiled, Material, Numerics, Power, Scene, Shape};
+use catoptric_scene::{Body, Compiled, Numerics, Power, Scene, Shape};
 use serde::Serialize;
 
 /// What it has.
@@ -121,13 +121,12 @@ impl Needs {
     pub(super) fn new(scene: &Scene, compiled: &Compiled, has: &Has, depth: u32) -> Self {
         let mut lamps = scene.lights.iter().zip(&compiled.lights);
         let lit = lamps.any(|(stated, lamp)| !lamp.hidden && stated.intensity != [0.0; 3]);
-        let spheres = scene.spheres.iter().map(|sphere| sphere.material);
-        let mut materials = spheres.chain(scene.planes.iter().map(|plane| plane.material));
-        let shows = |material: Material| {
+        let shows = |body: Body<'_>| {
+            let material = &scene.materials[body.material()];
             material.specular > 0.0 || material.color.iter().any(|c| material.diffuse * c > 0.0)
         };
         Self {
-            shadow_rays: lit && materials.any(shows),
+            shadow_rays: lit && scene.bodies().any(shows),
             highlights: lit && has.highlights.whole + has.highlights.fractional > 0,
             reflection_rays: depth > 0,
             weight_cut: scene.render.min_weight > 0.0,
@@ -136,10 +135,9 @@ impl Needs {
 }
 
 fn mirrors(scene: &Scene) -> Vec<Mirror> {
-    let spheres = scene.spheres.iter().map(|sphere| sphere.material.mirror());
-    let planes = scene.planes.iter().map(|plane| plane.material.mirror());
+    let mirrors = scene.bodies().map(|body| scene.materials[body.material()].mirror());
     let mut counts = BTreeMap::new();
-    for k in spheres.chain(planes).filter(|k| *k > 0.0) {
+    for k in mirrors.filter(|k| *k > 0.0) {
         // Bits of positive numbers are in their order.
         *counts.entry(k.to_bits()).or_insert(0) += 1;
     }

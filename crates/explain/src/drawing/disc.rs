@@ -20,7 +20,7 @@ pub(super) fn discs(scene: &Scene, axes: &Axes) -> Vec<Disc> {
         stated,
         center: axes.project(std::array::from_fn(|i| sphere.center[i] - eye[i])),
         radius: sphere.radius,
-        color: css(sphere.material.color),
+        color: css(scene.materials[sphere.material].color),
     };
     scene.spheres.iter().enumerate().map(disc).collect()
 }

@@ -13,8 +13,9 @@ use crate::life::Life;
 const TANGENT: f64 = 18.0;
 
 /// A plane in a view.
-struct Shown<'a> {
-    plane: &'a Plane,
+struct Shown {
+    /// Of its material.
+    color: [f64; 3],
     /// Its unit normal as the view has it: as long as it is seen edge on.
     normal: [f64; 2],
     /// Along the normal, relative to the eye.
@@ -23,15 +24,15 @@ struct Shown<'a> {
 }
 
 /// All planes.
-pub(super) struct Seen<'a> {
-    all: Vec<Shown<'a>>,
+pub(super) struct Seen {
+    all: Vec<Shown>,
     /// Spheres before them among what the scene states.
     spheres: usize,
     /// Planes of which nothing is drawn.
     pub(super) hidden: usize,
 }
 
-impl Shown<'_> {
+impl Shown {
     fn is_edge_on(&self) -> bool {
         self.slope() > 0.9999
     }
@@ -46,13 +47,13 @@ impl Shown<'_> {
     }
 }
 
-impl<'a> Seen<'a> {
-    pub(super) fn new(life: &'a Life, axes: &Axes, path: &Path) -> Self {
+impl Seen {
+    pub(super) fn new(life: &Life, axes: &Axes, path: &Path) -> Self {
         let (eye, spheres) = (life.scene.camera.position, life.scene.spheres.len());
-        let shown = |(i, plane): (usize, &'a Plane)| {
+        let shown = |(i, plane): (usize, &Plane)| {
             let normal = unit(plane.normal);
             Shown {
-                plane,
+                color: life.scene.materials[plane.material].color,
                 normal: axes.project(normal),
                 height: dot(normal, std::array::from_fn(|i| plane.point[i] - eye[i])),
                 met: path.met.contains(&(spheres + i)),
@@ -66,18 +67,18 @@ impl<'a> Seen<'a> {
     /// Planes that were hit and face the view: they are behind all of it.
     pub(super) fn behind(&self, svg: &mut String) {
         for shown in self.all.iter().filter(|plane| plane.met && plane.faces()) {
-            fill(&everywhere(), shown.plane, svg);
+            fill(&everywhere(), shown.color, svg);
         }
     }
 
     /// Planes that are seen edge on, as half planes.
     pub(super) fn edge_on(&self, window: &Window, svg: &mut String) {
         for shown in self.all.iter().filter(|plane| plane.is_edge_on()) {
-            let Shown { plane, normal: [x, y], height, .. } = *shown;
+            let Shown { color, normal: [x, y], height, .. } = *shown;
             // The solid side is the one that the eye is not on.
             let towards_eye = if height > 0.0 { -1.0 } else { 1.0 };
             let rim = window.place([x * height, y * height]);
-            fill(&half_plane(rim, [x * towards_eye, -y * towards_eye]), plane, svg);
+            fill(&half_plane(rim, [x * towards_eye, -y * towards_eye]), color, svg);
         }
     }
 
@@ -110,7 +111,7 @@ impl<'a> Seen<'a> {
     }
 }
 
-fn fill(shape: &str, plane: &Plane, svg: &mut String) {
-    let color = css(plane.material.color);
+fn fill(shape: &str, color: [f64; 3], svg: &mut String) {
+    let color = css(color);
     push(svg, format_args!("{shape} class=\"sphere\" fill=\"{color}\"/>\n"));
 }

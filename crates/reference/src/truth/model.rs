@@ -9,7 +9,7 @@
 use std::array::from_fn;
 use std::cmp::Ordering;
 
-use catoptric_scene::{self as scene, DoubleDouble, Scene};
+use catoptric_scene::{self as scene, Body, DoubleDouble, Scene};
 
 use super::camera::Eye;
 use super::real::Real;
@@ -77,12 +77,9 @@ impl<T: Real> Model<T> {
     }
 }
 
-/// A primitive as the scene states it.
+/// Sphere or plane as the scene states it.
 #[derive(Clone, Copy)]
-enum Stated<'a> {
-    Sphere(&'a scene::Sphere),
-    Plane(&'a scene::Plane),
-}
+struct Stated<'a>(Body<'a>);
 
 /// The scene's primitives with their indices, without those that repeat an earlier surface.
 ///
@@ -90,12 +87,10 @@ enum Stated<'a> {
 /// that the first does not. Left in, it would tie with the first in exact arithmetic only:
 /// the surface that a ray has just left offers its root in another form than its twin.
 fn distinct(scene: &Scene) -> Vec<(usize, Stated<'_>)> {
-    let spheres = scene.spheres.iter().map(Stated::Sphere);
-    let planes = scene.planes.iter().map(Stated::Plane);
     let mut kept: Vec<(usize, Stated<'_>)> = Vec::new();
-    for (id, stated) in spheres.chain(planes).enumerate() {
-        if !kept.iter().any(|(_, earlier)| earlier.same_surface(stated)) {
-            kept.push((id, stated));
+    for (id, body) in scene.bodies().enumerate() {
+        if !kept.iter().any(|(_, earlier)| earlier.same_surface(Stated(body))) {
+            kept.push((id, Stated(body)));
         }
     }
     kept
@@ -103,9 +98,9 @@ fn distinct(scene: &Scene) -> Vec<(usize, Stated<'_>)> {
 
 impl Stated<'_> {
     fn same_surface(self, other: Self) -> bool {
-        match (self, other) {
-            (Self::Sphere(a), Self::Sphere(b)) => a.center == b.center && a.radius == b.radius,
-            (Self::Plane(a), Self::Plane(b)) => a.point == b.point && a.normal == b.normal,
+        match (self.0, other.0) {
+            (Body::Sphere(a), Body::Sphere(b)) => a.center == b.center && a.radius == b.radius,
+            (Body::Plane(a), Body::Plane(b)) => a.point == b.point && a.normal == b.normal,
             _ => false,
         }
     }
@@ -113,12 +108,12 @@ impl Stated<'_> {
     /// `Greater` outside a sphere or where a plane's stated normal points, `Equal` on it.
     fn stated_side(self, at: [f64; 3]) -> Ordering {
         let at = Vector::<DoubleDouble>::from(at);
-        let (value, zero_level) = match self {
-            Self::Sphere(s) => {
+        let (value, zero_level) = match self.0 {
+            Body::Sphere(s) => {
                 let (f, r) = (at - Vector::from(s.center), DoubleDouble::from(s.radius));
                 (f.dot(f), r * r)
             }
-            Self::Plane(p) => {
+            Body::Plane(p) => {
                 let normal = Vector::from(p.normal).tamed();
                 (normal.dot(at - Vector::from(p.point)), DoubleDouble::from(0.0))
             }
@@ -139,17 +134,18 @@ impl Stated<'_> {
 
     fn primitive<T: Real>(self, id: usize, scene: &Scene) -> Primitive<T> {
         let turned = self.turned(scene.camera.position);
-        let (shape, material) = match self {
-            Self::Sphere(s) => {
+        let shape = match self.0 {
+            Body::Sphere(s) => {
                 let (center, radius) = (Vector::from(s.center), T::from(s.radius));
-                (Shape::Sphere { center, radius, around: turned }, &s.material)
+                Shape::Sphere { center, radius, around: turned }
             }
-            Self::Plane(p) => {
+            Body::Plane(p) => {
                 let normal = Vector::from(p.normal).tamed().unit();
                 let normal = if turned { -normal } else { normal };
-                (Shape::Plane { point: Vector::from(p.point), normal }, &p.material)
+                Shape::Plane { point: Vector::from(p.point), normal }
             }
         };
+        let material = &scene.materials[self.0.material()];
         Primitive { id, shape, surface: Surface::new(material, scene.render.ambient) }
     }
 }

@@ -13,7 +13,11 @@ const STEPS: u32 = 500;
 fn compiled(shininess: f64) -> Power<f64> {
     let mut draft = Draft::default();
     let material = Material { shininess, ..Material::matt([1.0; 3]) };
-    draft.spheres.push(Sphere { center: [0.0, 0.0, -5.0], radius: 1.0, material });
+    draft.spheres.push(Sphere {
+        center: [0.0, 0.0, -5.0],
+        radius: 1.0,
+        material: draft.materials.add(material),
+    });
     Compiled::of(&Scene::new(draft).expect("valid")).materials[0].power
 }
 

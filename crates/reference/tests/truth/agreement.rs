@@ -1,7 +1,7 @@
 //! The two arithmetics, and one scene in two places.
 
 use catoptric_reference::truth::{Precision, Truth};
-use catoptric_scene::{Camera, Draft, Image, Scene, Sphere, View};
+use catoptric_scene::{Camera, Draft, Image, Materials, Scene, Sphere, View};
 
 use super::scenes::{closed_room, largest_difference, mirror, render, workshop};
 
@@ -94,8 +94,11 @@ fn samples_and_crop_keep_the_grid() {
 
 #[test]
 fn a_nudge_turns_the_eye_ray() {
-    let sphere = Sphere { center: [0.0, 0.0, -5.0], radius: 1.0, material: mirror(0.0) };
+    let mut materials = Materials::default();
+    let material = materials.add(mirror(0.0));
+    let sphere = Sphere { center: [0.0, 0.0, -5.0], radius: 1.0, material };
     let draft = Draft {
+        materials,
         image: Image { width: 1, height: 1, ..Image::default() },
         camera: Camera::default(),
         spheres: vec![sphere],

@@ -12,8 +12,8 @@ use super::scenes::{
 fn depth_counts_reflections() {
     // A mirror ahead shows the background behind the eye, from depth 1 on.
     let mut scene = draft();
-    scene.planes =
-        vec![Plane { material: mirror(0.5), ..plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], DARK) }];
+    scene.planes = vec![plane(&mut scene, [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], DARK)];
+    scene.remake_materials(|material| *material = mirror(0.5));
     scene.render.background = [8.0; 3];
     for precision in BOTH {
         for (max_depth, expected) in [(0, 1.0), (1, 5.0), (2, 5.0), (u32::MAX, 5.0)] {
@@ -29,10 +29,10 @@ fn rays_are_counted_by_kind_and_depth() {
     let mut scene = draft();
     scene.image = Image { width: 1, height: 1, ..scene.image };
     scene.planes = vec![
-        plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], RED),
-        plane([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], RED),
+        plane(&mut scene, [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], RED),
+        plane(&mut scene, [0.0, 0.0, 1.0], [0.0, 0.0, 1.0], RED),
     ];
-    scene.planes.iter_mut().for_each(|p| p.material = mirror(1.0));
+    scene.remake_materials(|material| *material = mirror(1.0));
     scene.lights = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.5], [0.0, 0.0, 3.0]].map(white_light).to_vec();
     scene.render.max_depth = 2;
     for precision in BOTH {
@@ -48,10 +48,10 @@ fn rays_are_counted_by_kind_and_depth() {
 fn a_ray_below_the_least_weight_adds_black() {
     let mut scene = draft();
     scene.planes = vec![
-        plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], RED),
-        plane([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], RED),
+        plane(&mut scene, [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], RED),
+        plane(&mut scene, [0.0, 0.0, 1.0], [0.0, 0.0, 1.0], RED),
     ];
-    scene.planes.iter_mut().for_each(|p| p.material = mirror(0.5));
+    scene.remake_materials(|material| *material = mirror(0.5));
     scene.render.max_depth = 60;
     // Weights 1, 1/2, 1/4: one that equals the least is still traced.
     for (least, expected) in [(1.5, 1.0), (0.6, 1.0), (0.5, 1.5), (0.25, 1.75), (0.2, 1.75)] {
@@ -64,15 +64,16 @@ fn a_ray_below_the_least_weight_adds_black() {
 
 #[test]
 fn the_lowest_index_is_seen_of_equal_distances() {
-    let (red, green) = (ball([0.0, 0.0, -5.0], 2.0, RED), ball([0.0, 0.0, -5.0], 2.0, GREEN));
+    let mut draft = draft();
+    let [red, green] = [RED, GREEN].map(|color| ball(&mut draft, [0.0, 0.0, -5.0], 2.0, color));
     // Touches the poles of both spheres.
-    let wall = plane([0.0, 0.0, -3.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
+    let wall = plane(&mut draft, [0.0, 0.0, -3.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
+    let nearer = plane(&mut draft, [1.0, 2.0, -3.0], [0.0, 0.0, -7.0], RED);
     for precision in BOTH {
-        let with = |spheres: Vec<Sphere>| Draft { spheres, planes: vec![wall], ..draft() };
+        let with = |spheres: Vec<Sphere>| Draft { spheres, planes: vec![wall], ..draft.clone() };
         assert_eq!(ahead(&with(vec![red, green]), precision), RED);
         assert_eq!(ahead(&with(vec![green, red]), precision), GREEN);
-        let two =
-            Draft { planes: vec![plane([1.0, 2.0, -3.0], [0.0, 0.0, -7.0], RED), wall], ..draft() };
+        let two = Draft { planes: vec![nearer, wall], ..draft.clone() };
         assert_eq!(ahead(&two, precision), RED);
     }
 }
@@ -84,17 +85,24 @@ fn a_coincident_sphere_is_never_seen_from_inside_or_outside() {
     let once = closed_room(12, 9, 9);
     let mut twice = once.clone();
     for sphere in &once.spheres {
-        twice.spheres.push(Sphere { material: Material::matt([50.0; 3]), ..*sphere });
+        twice
+            .spheres
+            .push(Sphere { material: twice.materials.add(Material::matt([50.0; 3])), ..*sphere });
     }
-    twice.planes.push(Plane { material: Material::matt([50.0; 3]), ..once.planes[0] });
+    twice
+        .planes
+        .push(Plane { material: twice.materials.add(Material::matt([50.0; 3])), ..once.planes[0] });
     for precision in BOTH {
         assert_eq!(render(&once, precision), render(&twice, precision));
     }
     // Indices stay those of the scene: the plane comes after all spheres, twins included.
     let mut floor = draft();
     floor.image = Image { width: 1, height: 1, ..floor.image };
-    floor.spheres = vec![ball([50.0, 0.0, 0.0], 1.0, RED), ball([50.0, 0.0, 0.0], 1.0, RED)];
-    floor.planes = vec![plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], RED)];
+    floor.spheres = vec![
+        ball(&mut floor, [50.0, 0.0, 0.0], 1.0, RED),
+        ball(&mut floor, [50.0, 0.0, 0.0], 1.0, RED),
+    ];
+    floor.planes = vec![plane(&mut floor, [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], RED)];
     let scene = Scene::new(floor).expect("valid");
     let path = Truth::new(&scene, Precision::F64).path(&View::whole(&scene), 0, 0);
     assert_eq!((path.len(), path[0].primitive, path[0].point), (1, 2, [0.0, 0.0, -1.0]));
@@ -104,7 +112,7 @@ fn a_coincident_sphere_is_never_seen_from_inside_or_outside() {
 fn an_eye_on_a_surface_counts_as_outside() {
     // On the sphere x² + y² + z² = 25 about (0, -4, -3): outward it sees past it ...
     let mut scene = draft();
-    scene.spheres = vec![ball([0.0, -4.0, -3.0], 5.0, RED)];
+    scene.spheres = vec![ball(&mut scene, [0.0, -4.0, -3.0], 5.0, RED)];
     scene.camera.look_at = [0.0, 4.0, 3.0];
     scene.camera.up = [1.0, 0.0, 0.0];
     // ... and inward it meets it at once.
@@ -112,9 +120,9 @@ fn an_eye_on_a_surface_counts_as_outside() {
     inward.camera.look_at = [0.0, -4.0, -3.0];
     // On a plane it is on the side that the stated normal points to.
     let mut floor = draft();
-    floor.planes = vec![plane([0.0; 3], [0.0, 0.0, 1.0], GREEN)];
+    floor.planes = vec![plane(&mut floor, [0.0; 3], [0.0, 0.0, 1.0], GREEN)];
     let mut ceiling = draft();
-    ceiling.planes = vec![plane([0.0; 3], [0.0, 0.0, -1.0], GREEN)];
+    ceiling.planes = vec![plane(&mut ceiling, [0.0; 3], [0.0, 0.0, -1.0], GREEN)];
     for precision in BOTH {
         assert_eq!(ahead(&scene, precision), DARK);
         assert_eq!(ahead(&inward, precision), RED);
@@ -130,7 +138,7 @@ fn a_plane_is_seen_from_both_sides() {
     for normal in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1e-200], [0.0, 0.0, -1e15]] {
         // A light at 45 degrees on the eye's side.
         let mut scene = night([3.0, 0.0, -2.0]);
-        scene.planes = vec![plane([7.0, 9.0, -5.0], normal, GREEN)];
+        scene.planes = vec![plane(&mut scene, [7.0, 9.0, -5.0], normal, GREEN)];
         for precision in BOTH {
             assert_near(ahead(&scene, precision), [0.0, 0.5_f64.sqrt(), 0.0], 1e-15);
         }
@@ -165,7 +173,8 @@ fn the_scenes_numerics_do_not_matter() {
 #[test]
 fn a_sphere_below_the_rounding_of_its_place_gives_numbers() {
     let mut scene = night([0.0, 20.0, 0.0]);
-    scene.spheres = vec![Sphere { material: mirror(0.5), ..ball([0.0, 0.0, -1e12], 1e-6, RED) }];
+    scene.spheres = vec![ball(&mut scene, [0.0, 0.0, -1e12], 1e-6, RED)];
+    scene.remake_materials(|material| *material = mirror(0.5));
     for precision in BOTH {
         assert!(ahead(&scene, precision).iter().all(|channel| channel.is_finite()));
     }
@@ -180,7 +189,7 @@ fn an_eye_inside_the_skin_of_a_huge_sphere_sees_the_wall() {
         let center = [5e11 * cos, 5e11 * sin, 5.99e11];
         let radius = center[0].hypot(center[1]).hypot(center[2]).next_up();
         let mut scene = draft();
-        scene.spheres = vec![ball(center, radius, RED)];
+        scene.spheres = vec![ball(&mut scene, center, radius, RED)];
         scene.camera.look_at = [-sin, cos, 0.0];
         scene.camera.up = [0.0, 0.0, 1.0];
         for precision in BOTH {

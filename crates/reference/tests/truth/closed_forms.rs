@@ -1,19 +1,23 @@
 //! Pictures that a formula gives.
 
 use catoptric_reference::truth::{Precision, Truth};
-use catoptric_scene::{Camera, Draft, Material, Plane, Scene, Sphere, View};
+use catoptric_scene::{Camera, Draft, Material, Materials, Plane, Scene, Sphere, View};
 
 use super::scenes::{BOTH, ahead, assert_near, mirror, white_light};
 
 fn sphere_ahead(material: Material) -> Draft {
-    let sphere = Sphere { center: [0.0, 0.0, -5.0], radius: 2.0, material };
-    Draft { spheres: vec![sphere], ..Draft::default() }
+    let mut draft = Draft::default();
+    let material = draft.materials.add(material);
+    draft.spheres.push(Sphere { center: [0.0, 0.0, -5.0], radius: 2.0, material });
+    draft
 }
 
 /// Two mirrors z = -1 and z = 1, the eye between them looking across.
 fn corridor(k: f64, max_depth: u32) -> Draft {
-    let at = |z| Plane { point: [0.0, 0.0, z], normal: [0.0, 0.0, 1.0], material: mirror(k) };
-    let mut draft = Draft { planes: vec![at(-1.0), at(1.0)], ..Draft::default() };
+    let mut draft = Draft::default();
+    let material = draft.materials.add(mirror(k));
+    let at = |z| Plane { point: [0.0, 0.0, z], normal: [0.0, 0.0, 1.0], material };
+    draft.planes = vec![at(-1.0), at(1.0)];
     draft.render.max_depth = max_depth;
     draft
 }
@@ -63,17 +67,19 @@ fn the_highlight_falls_with_its_power() {
         (1e30, 0.0),
     ];
     for (shininess, power) in exact {
-        let material = Material {
+        let mut materials = Materials::default();
+        let material = materials.add(Material {
             color: [0.0; 3],
             diffuse: 1.0,
             specular: 1.0,
             shininess,
             reflect: Some(0.0),
-        };
+        });
         let plane = Plane { point: [0.0; 3], normal: [0.0, 0.0, 2.0], material };
         let draft = Draft {
             camera: Camera { position: [0.0, 0.0, 4.0], look_at: [0.0; 3], ..Camera::default() },
             lights: vec![white_light([3.0, 0.0, 4.0])],
+            materials,
             planes: vec![plane],
             ..Draft::default()
         };
@@ -109,7 +115,6 @@ fn a_corridor_of_imperfect_mirrors_adds_a_geometric_series() {
 #[test]
 fn a_closed_mirror_ball_adds_its_light_once_a_depth() {
     let mut draft = Draft {
-        spheres: vec![Sphere { center: [0.0; 3], radius: 10.0, material: mirror(1.0) }],
         camera: Camera {
             position: [3.0, -2.0, 4.0],
             look_at: [3.3, 1.0, -4.0],
@@ -117,6 +122,8 @@ fn a_closed_mirror_ball_adds_its_light_once_a_depth() {
         },
         ..Draft::default()
     };
+    let material = draft.materials.add(mirror(1.0));
+    draft.spheres.push(Sphere { center: [0.0; 3], radius: 10.0, material });
     draft.render.background = [1e9; 3];
     draft.render.max_depth = 1000;
     for precision in BOTH {

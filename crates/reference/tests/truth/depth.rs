@@ -12,9 +12,10 @@ fn ball(max_depth: u32) -> Scene {
     let mut draft = Draft {
         image: Image { width: 1, height: 1, ..Image::default() },
         camera: Camera { look_at: [0.3, 1.0, -4.0], ..Camera::default() },
-        spheres: vec![Sphere { center: [1.0, 2.0, 3.0], radius: 10.0, material: mirror(1.0) }],
         ..Draft::default()
     };
+    let material = draft.materials.add(mirror(1.0));
+    draft.spheres.push(Sphere { center: [1.0, 2.0, 3.0], radius: 10.0, material });
     draft.render.max_depth = max_depth;
     Scene::new(draft).expect("valid")
 }

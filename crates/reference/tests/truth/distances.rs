@@ -6,7 +6,7 @@
 //! scene's f64 numbers and the direction that the camera gives to its middle pixel.
 
 use catoptric_reference::truth::{Precision, Truth};
-use catoptric_scene::{Camera, Draft, Image, Material, Scene, Sphere, View};
+use catoptric_scene::{Camera, Draft, Image, Material, Materials, Scene, Sphere, View};
 use dashu_float::{FBig, round::mode::HalfEven};
 
 type Number = FBig<HalfEven, 2>;
@@ -76,10 +76,13 @@ fn worst(precision: Precision, radius: f64, height: f64) -> (f64, usize) {
         let slant = sequence.next().abs() * radius.min(3.0 * height.abs());
         let look_at = [0, 1, 2].map(|c| position[c] - out[c] * height.abs() + aside[c] * slant);
         let camera = Camera { position, look_at, up: sequence.unit(), fov: 30.0 };
-        let sphere = Sphere { center, radius, material: Material::matt([1.0; 3]) };
+        let mut materials = Materials::default();
+        let material = materials.add(Material::matt([1.0; 3]));
+        let sphere = Sphere { center, radius, material };
         let draft = Draft {
             image: Image { width: 1, height: 1, ..Image::default() },
             camera,
+            materials,
             spheres: vec![sphere],
             ..Draft::default()
         };

@@ -106,10 +106,8 @@ fn root(draft: &Draft, id: usize, o: &Point, d: &Point, left: bool) -> Option<Nu
 
 fn trace(draft: &Draft, x: u32, y: u32) -> Path {
     let count = draft.spheres.len() + draft.planes.len();
-    let material = |id: usize| match draft.spheres.get(id) {
-        Some(sphere) => &sphere.material,
-        None => &draft.planes[id - draft.spheres.len()].material,
-    };
+    let bodies: Vec<_> = draft.bodies().collect();
+    let material = |id: usize| &draft.materials[bodies[id].material()];
     let zero = number(0.0);
     let (mut o, mut d) = (Point::new(draft.camera.position), eye_ray(draft, x, y));
     let mut path = Path { vertices: Vec::new(), color: [0.0; 3] };

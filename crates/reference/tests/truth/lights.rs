@@ -1,6 +1,6 @@
 //! What lights light, and what hides them.
 
-use catoptric_scene::{Camera, Image, Material, Plane, Sphere};
+use catoptric_scene::{Camera, Image, Material};
 
 use super::scenes::{
     BOTH, DARK, GREEN, RED, ahead, assert_near, ball, night, plane, render, white_light,
@@ -10,7 +10,7 @@ use super::scenes::{
 fn an_eye_inside_a_sphere_sees_its_far_side_lit_from_within() {
     // The eye off centre, a light at the centre: the wall ahead is met straight on.
     let mut scene = night([0.0, 0.0, 2.0]);
-    scene.spheres = vec![ball([0.0, 0.0, 2.0], 5.0, RED)];
+    scene.spheres = vec![ball(&mut scene, [0.0, 0.0, 2.0], 5.0, RED)];
     let mut outside = scene.clone();
     outside.lights = vec![white_light([0.0, 0.0, 8.0])];
     for precision in BOTH {
@@ -22,9 +22,9 @@ fn an_eye_inside_a_sphere_sees_its_far_side_lit_from_within() {
 #[test]
 fn a_light_inside_a_sphere_lights_nothing_outside() {
     let mut scene = night([0.0, 3.0, -4.0]);
-    scene.planes = vec![plane([0.0, 0.0, -5.0], [0.0, 0.0, 1.0], GREEN)];
+    scene.planes = vec![plane(&mut scene, [0.0, 0.0, -5.0], [0.0, 0.0, 1.0], GREEN)];
     let mut covered = scene.clone();
-    covered.spheres = vec![ball([0.0, 3.0, -4.0], 0.5, RED)];
+    covered.spheres = vec![ball(&mut covered, [0.0, 3.0, -4.0], 0.5, RED)];
     for precision in BOTH {
         assert!(ahead(&scene, precision)[1] > 0.3);
         assert_eq!(ahead(&covered, precision), DARK);
@@ -37,10 +37,10 @@ fn a_light_on_a_sphere_lights_its_own_side_only() {
     scene.image = Image { width: 40, height: 40, ..scene.image };
     scene.camera.fov = 60.0;
     scene.planes = vec![
-        plane([0.0, 0.0, -20.0], [0.0, 0.0, 1.0], GREEN),
-        plane([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], GREEN),
+        plane(&mut scene, [0.0, 0.0, -20.0], [0.0, 0.0, 1.0], GREEN),
+        plane(&mut scene, [0.0, 0.0, 1.0], [0.0, 0.0, 1.0], GREEN),
     ];
-    scene.spheres = vec![ball([0.0, 0.0, -10.0], 3.0, RED)];
+    scene.spheres = vec![ball(&mut scene, [0.0, 0.0, -10.0], 3.0, RED)];
     // What faces the light is decided by the tangent plane at it: x + 2y + 2(z + 10) = 9.
     for precision in BOTH {
         let film = render(&scene, precision);
@@ -61,14 +61,14 @@ fn a_light_on_a_sphere_lights_its_own_side_only() {
 
 #[test]
 fn a_light_behind_a_plane_or_in_it_does_not_light_it() {
-    let wall = Plane {
-        material: Material { specular: 1.0, reflect: Some(0.0), ..Material::matt(GREEN) },
-        ..plane([0.3, 0.7, -5.0], [0.1, 0.2, 1.0], GREEN)
+    let glossy = |material: &mut Material| {
+        (material.specular, material.reflect) = (1.0, Some(0.0));
     };
     let heights = [([2.3, -0.3, -4.9], true), ([2.3, -0.3, -5.1], false)];
     for (light, lit) in heights {
         let mut scene = night(light);
-        scene.planes = vec![wall];
+        scene.planes = vec![plane(&mut scene, [0.3, 0.7, -5.0], [0.1, 0.2, 1.0], GREEN)];
+        scene.remake_materials(glossy);
         for precision in BOTH {
             assert_eq!(ahead(&scene, precision)[1] > 0.0, lit, "{light:?} {precision:?}");
         }
@@ -76,7 +76,8 @@ fn a_light_behind_a_plane_or_in_it_does_not_light_it() {
     // Exactly in the plane, seen in every direction: no highlight from rounding's n·l.
     let mut scene = night([2.0, -1.0, -5.0]);
     scene.image = Image { width: 30, height: 30, ..scene.image };
-    scene.planes = vec![Plane { point: [0.0, 0.0, -5.0], normal: [1.0, 2.0, 7.0], ..wall }];
+    scene.planes = vec![plane(&mut scene, [0.0, 0.0, -5.0], [1.0, 2.0, 7.0], GREEN)];
+    scene.remake_materials(glossy);
     for precision in BOTH {
         let film = render(&scene, precision);
         assert!(film.pixels.iter().all(|&pixel| pixel == DARK), "{precision:?}");
@@ -89,8 +90,8 @@ fn a_light_in_one_plane_lights_another() {
     // The light is in the side wall x = 3; no ray to it passes the wall.
     let mut scene = night([3.0, 0.0, -4.0]);
     scene.planes = vec![
-        plane([0.0, 0.0, -5.0], [0.0, 0.0, 1.0], GREEN),
-        plane([3.0, 1.0, 1.0], [1.0, 0.0, 0.0], RED),
+        plane(&mut scene, [0.0, 0.0, -5.0], [0.0, 0.0, 1.0], GREEN),
+        plane(&mut scene, [3.0, 1.0, 1.0], [1.0, 0.0, 0.0], RED),
     ];
     for precision in BOTH {
         let cosine = 1.0 / 10.0_f64.sqrt();
@@ -104,7 +105,7 @@ fn a_light_in_one_plane_lights_another() {
 #[test]
 fn a_light_at_the_hit_lights_nothing() {
     let mut scene = night([0.0, 0.0, -3.0]);
-    scene.spheres = vec![ball([0.0, 0.0, -5.0], 2.0, RED)];
+    scene.spheres = vec![ball(&mut scene, [0.0, 0.0, -5.0], 2.0, RED)];
     for precision in BOTH {
         assert_eq!(ahead(&scene, precision), DARK);
     }
@@ -114,9 +115,9 @@ fn a_light_at_the_hit_lights_nothing() {
 fn a_shadow_falls_where_the_occluder_is_nearer_than_the_light() {
     // The wall's middle, the light straight off it at distance 4, a ball between or beyond.
     let mut scene = night([0.0, 4.0, -5.0]);
-    scene.planes = vec![plane([0.0, 0.0, -5.0], [0.0, 1.0, 1.0], GREEN)];
+    scene.planes = vec![plane(&mut scene, [0.0, 0.0, -5.0], [0.0, 1.0, 1.0], GREEN)];
     for (height, hidden) in [(2.0, true), (5.5, false), (-2.0, false)] {
-        scene.spheres = vec![ball([0.0, height, -5.0], 1.0, RED)];
+        scene.spheres = vec![ball(&mut scene, [0.0, height, -5.0], 1.0, RED)];
         for precision in BOTH {
             assert_eq!(ahead(&scene, precision) == DARK, hidden, "ball at {height}");
         }
@@ -128,8 +129,8 @@ fn a_contact_is_in_shadow() {
     // A ball that stands on the floor; the floor just at the contact, the light overhead.
     let mut scene = night([0.0, 9.0, -5.0]);
     scene.camera = Camera { position: [0.0, 1.0, 5.0], look_at: [0.0, -1.0, -5.0], ..scene.camera };
-    scene.planes = vec![plane([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], GREEN)];
-    scene.spheres = vec![ball([0.0, 1e-3 - 1.0, -5.0], 1e-3, DARK)];
+    scene.planes = vec![plane(&mut scene, [0.0, -1.0, 0.0], [0.0, 1.0, 0.0], GREEN)];
+    scene.spheres = vec![ball(&mut scene, [0.0, 1e-3 - 1.0, -5.0], 1e-3, DARK)];
     for precision in BOTH {
         assert_eq!(ahead(&scene, precision), DARK);
         scene.spheres[0].center[0] = 1.0;
@@ -148,7 +149,8 @@ fn a_highlight_is_never_brighter_than_its_light() {
         let at = [0.1 * f64::from(step), 0.7, -3.1];
         let mut scene = night([0.0; 3]);
         scene.camera.look_at = at;
-        scene.spheres = vec![Sphere { material, ..ball(at, 1.3, DARK) }];
+        scene.spheres = vec![ball(&mut scene, at, 1.3, DARK)];
+        scene.remake_materials(|made| *made = material);
         for precision in BOTH {
             assert!(ahead(&scene, precision).iter().all(|&channel| (0.0..=1.0).contains(&channel)));
         }

@@ -1,7 +1,9 @@
 //! Scenes for the tests, and a way to look at one pixel.
 
 use catoptric_reference::truth::{Precision, Truth, TruthFilm};
-use catoptric_scene::{Camera, Draft, Image, Light, Material, Plane, Scene, Sphere, View};
+use catoptric_scene::{
+    Camera, Draft, Image, Light, Material, Materials, Plane, Scene, Sphere, View,
+};
 
 /// Both arithmetics, for tests that hold in either.
 pub(crate) const BOTH: [Precision; 2] = [Precision::F64, Precision::DoubleDouble];
@@ -45,12 +47,19 @@ pub(crate) const RED: [f64; 3] = [1.0, 0.0, 0.0];
 pub(crate) const GREEN: [f64; 3] = [0.0, 1.0, 0.0];
 pub(crate) const DARK: [f64; 3] = [0.0; 3];
 
-pub(crate) fn ball(center: [f64; 3], radius: f64, color: [f64; 3]) -> Sphere {
-    Sphere { center, radius, material: Material::matt(color) }
+/// A matt sphere for that draft.
+pub(crate) fn ball(draft: &mut Draft, center: [f64; 3], radius: f64, color: [f64; 3]) -> Sphere {
+    Sphere { center, radius, material: draft.materials.add(Material::matt(color)) }
 }
 
-pub(crate) fn plane(point: [f64; 3], normal: [f64; 3], color: [f64; 3]) -> Plane {
-    Plane { point, normal, material: Material::matt(color) }
+/// A matt plane for that draft.
+pub(crate) fn plane(
+    draft: &mut Draft,
+    point: [f64; 3],
+    normal: [f64; 3],
+    color: [f64; 3],
+) -> Plane {
+    Plane { point, normal, material: draft.materials.add(Material::matt(color)) }
 }
 
 /// Ambient 1, so that a primitive shows its colour; looking along -z from the origin.
@@ -70,33 +79,35 @@ pub(crate) fn night(light: [f64; 3]) -> Draft {
 /// The workshop's five spheres, 30 degrees, a white light at (0, 20, 0); the ground's
 /// mirror factor is a parameter (the workshop's own is 0).
 pub(crate) fn workshop(width: u32, height: u32, max_depth: u32, ground: f64) -> Draft {
-    let sphere = |center, radius, color, shininess, specular, diffuse| Sphere {
-        center,
-        radius,
-        material: Material { color, diffuse, specular, shininess, reflect: None },
-    };
     let mut draft = Draft {
         image: Image { width, height, ..Image::default() },
         lights: vec![white_light([0.0, 20.0, 0.0])],
-        spheres: vec![
-            sphere([0.0, -10004.0, -20.0], 10000.0, [0.4; 3], 0.0, 0.0, 1.0),
-            sphere([0.0, 0.0, -20.0], 4.0, [1.0, 0.32, 0.36], 20.0, 0.8, 0.2),
-            sphere([5.0, -1.0, -15.0], 2.0, [0.9, 0.76, 0.46], 20.0, 0.9, 0.1),
-            sphere([5.0, 0.0, -25.0], 3.0, [0.65, 0.77, 0.97], 20.0, 0.5, 0.5),
-            sphere([-5.5, 0.0, -15.0], 3.0, [0.9; 3], 20.0, 0.5, 0.5),
-        ],
         ..Draft::default()
     };
+    for (center, radius, color, shininess, specular, diffuse) in [
+        ([0.0, -10004.0, -20.0], 10000.0, [0.4; 3], 0.0, 0.0, 1.0),
+        ([0.0, 0.0, -20.0], 4.0, [1.0, 0.32, 0.36], 20.0, 0.8, 0.2),
+        ([5.0, -1.0, -15.0], 2.0, [0.9, 0.76, 0.46], 20.0, 0.9, 0.1),
+        ([5.0, 0.0, -25.0], 3.0, [0.65, 0.77, 0.97], 20.0, 0.5, 0.5),
+        ([-5.5, 0.0, -15.0], 3.0, [0.9; 3], 20.0, 0.5, 0.5),
+    ] {
+        let material = Material { color, diffuse, specular, shininess, reflect: None };
+        let material = draft.materials.add(material);
+        draft.spheres.push(Sphere { center, radius, material });
+    }
     draft.render.max_depth = max_depth;
-    draft.spheres[0].material.reflect = Some(ground);
+    draft.materials[draft.spheres[0].material].reflect = Some(ground);
     draft
 }
 
 /// Three mirror spheres of radius 1 at the corners of a triangle of side 6: paths between
 /// them amplify an error about twelvefold at each bounce.
 pub(crate) fn scatterer(width: u32, height: u32) -> Draft {
-    let at = |center| Sphere { center, radius: 1.0, material: mirror(0.9) };
+    let mut materials = Materials::default();
+    let material = materials.add(mirror(0.9));
+    let at = |center| Sphere { center, radius: 1.0, material };
     let mut draft = Draft {
+        materials,
         image: Image { width, height, ..Image::default() },
         camera: Camera {
             position: [0.1, -0.2, 0.3],
@@ -117,18 +128,18 @@ pub(crate) fn scatterer(width: u32, height: u32) -> Draft {
 /// and five lights: two in the eye's cell, and one each inside a ball, beyond the plane and
 /// outside the room.
 pub(crate) fn closed_room(width: u32, height: u32, max_depth: u32) -> Draft {
-    let ball = |center, radius| Sphere {
-        center,
-        radius,
-        material: Material {
-            color: [0.8, 0.5, 0.3],
-            diffuse: 0.6,
-            specular: 0.4,
-            shininess: 7.0,
-            reflect: Some(0.8),
-        },
-    };
+    let mut materials = Materials::default();
+    let material = materials.add(Material {
+        color: [0.8, 0.5, 0.3],
+        diffuse: 0.6,
+        specular: 0.4,
+        shininess: 7.0,
+        reflect: Some(0.8),
+    });
+    let wall = materials.add(mirror(0.7));
+    let ball = |center, radius| Sphere { center, radius, material };
     let mut draft = Draft {
+        materials,
         image: Image { width, height, ..Image::default() },
         camera: Camera {
             position: [0.5, -0.3, 0.7],
@@ -151,11 +162,7 @@ pub(crate) fn closed_room(width: u32, height: u32, max_depth: u32) -> Draft {
             ball([4.0, -2.0, 1.0], 2.0),
             ball([0.0, 4.0, 5.0], 1.0),
         ],
-        planes: vec![Plane {
-            point: [0.0, -7.0, 0.0],
-            normal: [0.2, 2.0, -0.1],
-            material: mirror(0.7),
-        }],
+        planes: vec![Plane { point: [0.0, -7.0, 0.0], normal: [0.2, 2.0, -0.1], material: wall }],
         ..Draft::default()
     };
     draft.render.max_depth = max_depth;

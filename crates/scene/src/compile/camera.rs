@@ -1,6 +1,6 @@
 //! The camera's own axes, in which a scene is compiled, and the direction of each eye ray.
 
-use super::unit;
+use super::constants::unit;
 use crate::direction::{cross, tamed};
 use crate::{Camera, DoubleDouble, Draft, Scalar, Wider};
 

@@ -11,9 +11,10 @@
 
 use std::collections::HashSet;
 
-use super::{CameraAxes, nearest3, unit};
+use super::camera::CameraAxes;
+use super::constants::{nearest3, unit};
 use crate::direction::tamed;
-use crate::{DoubleDouble, Draft, Numerics, Plane, Scalar, Scene, Sphere};
+use crate::{Body, DoubleDouble, Draft, Numerics, Plane, Scalar, Scene, Sphere};
 
 /// The form chosen for a primitive.
 #[derive(Clone, Copy, Debug)]
@@ -91,35 +92,29 @@ pub struct TextbookPlane<S: Scalar = f32> {
     pub offset: S,
 }
 
-/// Spheres in file order, then planes.
+/// The form of each body, in the order of bodies.
 pub(super) fn shapes<S: Scalar>(scene: &Scene, axes: &CameraAxes) -> Vec<Shape<S>> {
-    let scene: &Draft = scene;
-    let (spheres, planes) = (scene.spheres.iter(), scene.planes.iter());
+    let robust = |body: Body<'_>| match body {
+        Body::Sphere(sphere) => robust_sphere(scene, axes, sphere),
+        Body::Plane(plane) => Shape::Flat(robust_plane(scene, axes, plane)),
+    };
+    let textbook = |body: Body<'_>| match body {
+        Body::Sphere(sphere) => Shape::TextbookSphere(TextbookSphere {
+            center: nearest3::<S>(axes.point(sphere.center)),
+            radius: S::rounded(sphere.radius),
+        }),
+        Body::Plane(plane) => Shape::TextbookPlane(TextbookPlane {
+            normal: nearest3::<S>(axes.turned(exact_normal(plane))),
+            offset: S::nearest(-height(plane, scene.camera.position)),
+        }),
+    };
     match scene.render.numerics {
-        Numerics::Robust => {
-            let spheres = spheres.map(|s| robust_sphere(scene, axes, s));
-            spheres.chain(planes.map(|p| Shape::Flat(robust_plane(scene, axes, p)))).collect()
-        }
-        Numerics::Textbook => {
-            let spheres = spheres.map(|s| {
-                Shape::TextbookSphere(TextbookSphere {
-                    center: nearest3::<S>(axes.point(s.center)),
-                    radius: S::rounded(s.radius),
-                })
-            });
-            let planes = planes.map(|p| {
-                let normal = exact_normal(p);
-                Shape::TextbookPlane(TextbookPlane {
-                    normal: nearest3::<S>(axes.turned(normal)),
-                    offset: S::nearest(-height(p, scene.camera.position)),
-                })
-            });
-            spheres.chain(planes).collect()
-        }
+        Numerics::Robust => scene.bodies().map(robust).collect(),
+        Numerics::Textbook => scene.bodies().map(textbook).collect(),
     }
 }
 
-/// For each sphere, then each plane, whether no earlier one is the same surface.
+/// For each body whether no earlier one is the same surface.
 ///
 /// The same surface again is never seen: ties go to the first. In a robust scene it must not
 /// be tried either, for a ray that leaves the first would tell the two apart by rounding.
@@ -127,10 +122,11 @@ pub(super) fn firsts(scene: &Draft) -> Vec<bool> {
     let all = scene.render.numerics == Numerics::Textbook;
     let bits = |v: [f64; 3]| v.map(|x| (x + 0.0).to_bits());
     let (mut spheres, mut planes) = (HashSet::new(), HashSet::new());
-    let of_spheres =
-        scene.spheres.iter().map(|s| spheres.insert((bits(s.center), s.radius.to_bits())));
-    let of_planes = scene.planes.iter().map(|p| planes.insert((bits(p.point), bits(p.normal))));
-    of_spheres.chain(of_planes).map(|first| first || all).collect()
+    let first = |body: Body<'_>| match body {
+        Body::Sphere(sphere) => spheres.insert((bits(sphere.center), sphere.radius.to_bits())),
+        Body::Plane(plane) => planes.insert((bits(plane.point), bits(plane.normal))),
+    };
+    scene.bodies().map(first).map(|first| first || all).collect()
 }
 
 /// A sphere is a flat where its radius is at least so many times the eye's distance from it.

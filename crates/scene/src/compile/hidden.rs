@@ -251,7 +251,7 @@ impl Lamps {
 #[cfg(test)]
 mod tests {
     use super::{DoubleDouble, hidden_in_steps, power_of, scaled_height};
-    use crate::{Draft, Light, Material, Plane, Sphere};
+    use crate::{Draft, Light, MaterialId, Plane, Sphere};
 
     /// Every primitive, every lamp, in double-double.
     fn all_pairs(scene: &Draft) -> Vec<bool> {
@@ -285,7 +285,7 @@ mod tests {
     }
 
     fn ball(center: [f64; 3], radius: f64) -> Sphere {
-        Sphere { center, radius, material: Material::matt([0.5; 3]) }
+        Sphere { center, radius, material: MaterialId::at(0) }
     }
 
     /// Primitives through lamps and through the eye, and a hair off: where only double-double tells.
@@ -314,7 +314,7 @@ mod tests {
                     scene.planes.push(Plane {
                         point: at(off),
                         normal,
-                        material: Material::matt([0.5; 3]),
+                        material: MaterialId::at(0),
                     });
                 } else {
                     scene.spheres.push(ball(at(radius), radius * (1.0 + off)));
@@ -345,7 +345,7 @@ mod tests {
             .map(|i| Plane {
                 point: [0.0, -2.0 - f64::from(i), 0.0],
                 normal: [0.1, 1.0, 0.2],
-                material: Material::matt([0.5; 3]),
+                material: MaterialId::at(0),
             })
             .collect();
         let mut steps = 0;

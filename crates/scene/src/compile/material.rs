@@ -1,6 +1,6 @@
 //! Phong's constants.
 
-use super::{colour, rounded3};
+use super::constants::{colour, rounded3};
 use crate::{Material, Scalar};
 
 /// A material's constants, each product formed in f64 and rounded once.

@@ -2,7 +2,7 @@
 
 use super::draws::Draws;
 use super::palette::Palette;
-use super::{OutOfRange, parameter};
+use super::parameter::{self, OutOfRange};
 use crate::{Draft, Light, Material, Plane, Sphere};
 
 /// Half the distance between the mirrors.
@@ -20,7 +20,7 @@ const BALLS: ([f64; 2], [f64; 2]) = ([-2.0, -3.5], [4.0, 5.5]);
 /// and from the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corridor {
-    /// Balls, 0 to [`MOST_BALLS`](super::MOST_BALLS). Default 5.
+    /// Balls, 0 to [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 5.
     pub balls: u32,
     /// Mirror factor k of the mirrors, in [0, 1]. Default 0.92.
     pub reflect: f64,
@@ -61,20 +61,20 @@ impl Corridor {
         draft.planes.push(Plane {
             point: [0.0, FLOOR, 0.0],
             normal: [0.0, 1.0, 0.0],
-            material: Material::matt([0.55, 0.45, 0.35]),
+            material: draft.materials.add(Material::matt([0.55, 0.45, 0.35])),
         });
         self.add_balls(&mut draft);
         Ok(draft)
     }
 
     fn add_mirrors(&self, draft: &mut Draft) {
-        let material = Material {
+        let material = draft.materials.add(Material {
             color: [0.1, 0.12, 0.12],
             diffuse: 0.2,
             specular: 0.3,
             shininess: 60.0,
             reflect: Some(self.reflect),
-        };
+        });
         for side in [-1.0, 1.0] {
             match self.mirror_radius {
                 Some(radius) => {
@@ -93,7 +93,7 @@ impl Corridor {
     /// columns, from the far end. Radius and place in the cell are by chance.
     fn add_balls(&self, draft: &mut Draft) {
         let mut draws = Draws::new(self.seed);
-        let palette = Palette::new(&mut draws, 0.7, 0.3, 0.3);
+        let palette = Palette::new(&mut draws, [0.7, 0.3, 0.3], draft);
         let columns = (1..).find(|m: &u32| u64::from(*m).pow(2) >= u64::from(self.balls));
         let columns = columns.expect("u32::MAX squared is more");
         let (corner, size) = BALLS;

@@ -2,8 +2,8 @@
 
 use super::draws::Draws;
 use super::palette::Palette;
+use super::parameter::{self, OutOfRange};
 use super::turn::turn;
-use super::{OutOfRange, parameter};
 use crate::{Draft, Light, Sphere};
 
 /// Who touches whom.
@@ -29,7 +29,7 @@ pub struct Kissing {
     /// Who touches whom. Default: each every other.
     pub arrangement: Arrangement,
     /// Spheres: 2 to 4 in a cluster; from 3 in a ring and from 2 in a chain, to
-    /// [`MOST_BALLS`](super::MOST_BALLS). Default 4.
+    /// [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 4.
     pub spheres: u32,
     /// Their radius, in [1e-6, 1e6]. Default 1.
     pub radius: f64,
@@ -61,13 +61,13 @@ impl Kissing {
         parameter::reflect(self.reflect)?;
 
         let mut draws = Draws::new(self.seed);
-        let palette = Palette::new(&mut draws, 0.6, 0.5, self.reflect);
         let (centers, reach) = match self.arrangement {
             Arrangement::Cluster => self.cluster(),
             Arrangement::Ring => self.ring(),
             Arrangement::Chain => self.chain(),
         };
         let mut draft = Draft::default();
+        let palette = Palette::new(&mut draws, [0.6, 0.5, self.reflect], &mut draft);
         // The whole fits into the view: tan 20 degrees is 0.36.
         let extent = reach + self.radius;
         draft.camera.position = [0.1 * extent, 0.15 * extent, 3.2 * extent];

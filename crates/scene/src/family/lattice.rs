@@ -2,7 +2,7 @@
 
 use super::draws::Draws;
 use super::palette::Palette;
-use super::{MOST_BALLS, OutOfRange, parameter};
+use super::parameter::{self, MOST_BALLS, OutOfRange};
 use crate::{Draft, Light, Sphere};
 
 /// The cube root of [`MOST_BALLS`].
@@ -52,7 +52,7 @@ impl Lattice {
         draft.lights.push(Light { position: at([3.0, 6.0, 4.0]), intensity: [0.9; 3] });
 
         let mut draws = Draws::new(self.seed);
-        let palette = Palette::new(&mut draws, 0.7, 0.3, self.reflect);
+        let palette = Palette::new(&mut draws, [0.7, 0.3, self.reflect], &mut draft);
         // Half-integers or integers: exact.
         let coordinate = |step: u32| f64::from(step) + 0.5 - half;
         for z in 0..self.edge {

@@ -1,32 +1,34 @@
 //! Materials by chance.
 
 use super::draws::Draws;
-use crate::Material;
+use crate::{Draft, Material, MaterialId};
 
 /// A few materials that differ in colour. Balls share them, since files write a shared
 /// material once and renderers compile it once.
-pub(super) struct Palette([Material; 8]);
+pub(super) struct Palette([MaterialId; 8]);
 
 impl Palette {
-    /// Eight colours, each with the same factors.
-    pub(super) fn new(draws: &mut Draws, diffuse: f64, specular: f64, reflect: f64) -> Self {
-        Self(std::array::from_fn(|_| Material {
-            color: colour(draws),
-            diffuse,
-            specular,
-            shininess: 30.0,
-            reflect: Some(reflect),
+    /// Eight colours, each with the same factors, added to a draft.
+    pub(super) fn new(
+        draws: &mut Draws,
+        [diffuse, specular, reflect]: [f64; 3],
+        draft: &mut Draft,
+    ) -> Self {
+        Self(std::array::from_fn(|_| {
+            let (color, reflect) = (colour(draws), Some(reflect));
+            let material = Material { color, diffuse, specular, shininess: 30.0, reflect };
+            draft.materials.add(material)
         }))
     }
 
     /// One of them, from one draw.
-    pub(super) fn any(&self, draws: &mut Draws) -> Material {
+    pub(super) fn any(&self, draws: &mut Draws) -> MaterialId {
         let index = draws.below(self.0.len() as u64);
         self.0[usize::try_from(index).expect("below eight")]
     }
 
     /// By number; they repeat.
-    pub(super) fn at(&self, index: usize) -> Material {
+    pub(super) fn at(&self, index: usize) -> MaterialId {
         self.0[index % self.0.len()]
     }
 }

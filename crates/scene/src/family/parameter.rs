@@ -2,8 +2,11 @@
 
 use std::ops::RangeInclusive;
 
-use super::MOST_BALLS;
 use crate::error::number;
+
+/// Balls of one scene, at most; mirrors, floors and walls come on top. A draft of so many
+/// takes about 40 MB.
+pub const MOST_BALLS: u32 = 1_000_000;
 
 /// A parameter that is out of its range: which, what was found, what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

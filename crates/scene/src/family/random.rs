@@ -3,7 +3,7 @@
 use super::cells::Cells;
 use super::draws::Draws;
 use super::palette::Palette;
-use super::{OutOfRange, parameter};
+use super::parameter::{self, OutOfRange};
 use crate::error::number;
 use crate::{Draft, Light, Material, Plane, Sphere};
 
@@ -25,7 +25,7 @@ pub enum Placement {
 /// The seed decides colours, radii and places.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Random {
-    /// Balls, 0 to [`MOST_BALLS`](super::MOST_BALLS). Default 100.
+    /// Balls, 0 to [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 100.
     pub balls: u32,
     /// Smallest radius, in [1e-9, 1e9], at most `max_radius`. Default 0.1.
     pub min_radius: f64,
@@ -87,7 +87,7 @@ impl Random {
         draft.planes.push(Plane {
             point: at([0.0, -1.1, 0.0]),
             normal: [0.0, 1.0, 0.0],
-            material: Material::matt([0.5, 0.5, 0.48]),
+            material: draft.materials.add(Material::matt([0.5, 0.5, 0.48])),
         });
         self.add_balls(&cells, &mut draft);
         Ok(draft)
@@ -95,7 +95,7 @@ impl Random {
 
     fn add_balls(&self, cells: &Cells, draft: &mut Draft) {
         let mut draws = Draws::new(self.seed);
-        let palette = Palette::new(&mut draws, 0.7, 0.3, self.reflect);
+        let palette = Palette::new(&mut draws, [0.7, 0.3, self.reflect], draft);
         let mut ball = |corner: Option<[f64; 3]>, draws: &mut Draws| {
             let radius = draws.log_between(self.min_radius, self.max_radius);
             let center = match corner {

@@ -3,7 +3,7 @@
 use super::cells::Cells;
 use super::draws::Draws;
 use super::palette::Palette;
-use super::{OutOfRange, parameter};
+use super::parameter::{self, OutOfRange};
 use crate::{Draft, Light, Material, Sphere};
 
 /// A closed room: a mirror sphere about the origin with balls, the eye and the light inside.
@@ -16,7 +16,7 @@ use crate::{Draft, Light, Material, Sphere};
 pub struct Room {
     /// Radius R of the room, in [1e-3, 1e9]. Default 10.
     pub radius: f64,
-    /// Balls, 0 to [`MOST_BALLS`](super::MOST_BALLS). Default 5.
+    /// Balls, 0 to [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 5.
     pub balls: u32,
     /// Mirror factor k of the wall, in [0, 1]. Default 0.9.
     pub reflect: f64,
@@ -58,10 +58,11 @@ impl Room {
             shininess: 8.0,
             reflect: Some(self.reflect),
         };
+        let material = draft.materials.add(material);
         draft.spheres.push(Sphere { center: [0.0; 3], radius: self.radius, material });
 
         let mut draws = Draws::new(self.seed);
-        let palette = Palette::new(&mut draws, 0.6, 0.4, 0.4);
+        let palette = Palette::new(&mut draws, [0.6, 0.4, 0.4], &mut draft);
         // Half an edge is below 1/sqrt 3 of the radius: the cube's corners are inside.
         let cells = Cells::of_cube(self.balls, 1.1 * self.radius);
         for corner in cells.choose(self.balls, &mut draws) {

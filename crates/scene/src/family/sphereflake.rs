@@ -13,7 +13,7 @@
 
 use super::draws::Draws;
 use super::palette::Palette;
-use super::{MOST_BALLS, OutOfRange, parameter};
+use super::parameter::{self, MOST_BALLS, OutOfRange};
 use crate::{Draft, Light, Material, Plane, Sphere};
 
 /// Children of a ball.
@@ -78,6 +78,7 @@ impl Sphereflake {
             draft.lights.push(Light { position, intensity: [0.4; 3] });
         }
         let material = Material { diffuse: 0.8, ..Material::matt([1.0, 0.75, 0.33]) };
+        let material = draft.materials.add(material);
         match self.ground_radius {
             Some(radius) => {
                 let center = [0.0, 0.0, GROUND - radius];
@@ -88,7 +89,8 @@ impl Sphereflake {
                 draft.planes.push(Plane { point, normal, material });
             }
         }
-        let palette = Palette::new(&mut Draws::new(self.seed), 0.5, 0.5, self.reflect);
+        let palette =
+            Palette::new(&mut Draws::new(self.seed), [0.5, 0.5, self.reflect], &mut draft);
         let balls = balls(self.levels).expect("the levels are in range");
         draft.spheres.reserve(balls as usize);
         let family = Family { levels: self.levels, turns: turns(), palette };

@@ -2,7 +2,7 @@
 //!
 //! A scene arrives value by value, in any order: the settings, and each body and material on its
 //! own. So there is never a tree of the whole scene. A body that names a material may come before
-//! it; names are put in place at the end.
+//! it: the draft then holds a stand-in until the file states it.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,10 @@ use crate::error::{Fault, Problem, Trail};
 use crate::validate::allowed::{
     AMOUNT, COMPONENT, COORDINATE, DEPTH, FIELD_OF_VIEW, LIGHT, MIRROR, RADIUS, SIDE, SPECULAR,
 };
-use crate::{Camera, Draft, Image, Light, Material, Numerics, Plane, Render, Sphere, Transfer};
+use crate::{
+    Body, Camera, Draft, Image, Light, Material, MaterialId, Materials, Numerics, Plane, Render,
+    Sphere, Transfer,
+};
 
 const POINT: &str = "[x, y, z]";
 const RGB: &str = "[r, g, b]";
@@ -58,55 +61,61 @@ pub(super) struct Reader {
     /// The first fault. What comes after it is not read, only parsed: broken syntax comes first.
     fault: Option<Fault>,
     names: Names,
-    /// The materials that spheres and planes name; nothing for those that state their own.
-    of_spheres: Vec<Option<u32>>,
-    of_planes: Vec<Option<u32>>,
 }
 
 /// Materials by name: those that are stated, and those that bodies name.
 #[derive(Default)]
-struct Names {
-    numbers: BTreeMap<String, u32>,
-    stated: Vec<Option<Material>>,
+struct Names(BTreeMap<String, Named>);
+
+#[derive(Clone, Copy)]
+struct Named {
+    id: MaterialId,
+    /// Whether the file has stated it yet. Until then the draft holds a stand-in.
+    stated: bool,
 }
 
-/// Bytes that a name takes beside its letters: its entry, and its share of half-full nodes.
-const NAME_BYTES: u64 = 160;
+/// Bytes that a name takes beside its letters: its entries here and in the draft, and its share of
+/// half-full nodes.
+const NAME_BYTES: u64 = 240;
 
 impl Names {
-    fn number(&mut self, name: &str, memory: &mut Memory) -> Result<u32, Problem> {
-        if let Some(&number) = self.numbers.get(name) {
-            return Ok(number);
+    /// The material of that name, which may be stated further on.
+    fn named(
+        &mut self,
+        name: &str,
+        materials: &mut Materials,
+        memory: &mut Memory,
+    ) -> Result<&mut Named, Problem> {
+        if !self.0.contains_key(name) {
+            memory.take(name.len() as u64 + NAME_BYTES)?;
+            let id = push_material(Material::matt([0.0; 3]), materials, memory)?;
+            self.0.insert(name.to_owned(), Named { id, stated: false });
         }
-        memory.take(name.len() as u64 + NAME_BYTES)?;
-        let number = u32::try_from(self.stated.len()).expect("fewer than 2^32 names fit in memory");
-        memory.push(&mut self.stated, None)?;
-        self.numbers.insert(name.to_owned(), number);
-        Ok(number)
-    }
-
-    fn get(&self, number: u32) -> Option<Material> {
-        self.stated[number as usize]
+        Ok(self.0.get_mut(name).expect("it is there"))
     }
 
     /// Names that have a material, in order.
     fn known(&self) -> Vec<&str> {
-        let stated = |&(_, &number): &(&String, &u32)| self.get(number).is_some();
-        self.numbers.iter().filter(stated).map(|(name, _)| name.as_str()).collect()
+        let stated = self.0.iter().filter(|(_, named)| named.stated);
+        stated.map(|(name, _)| name.as_str()).collect()
     }
+}
+
+/// Adds a material whose bytes are counted.
+fn push_material(
+    material: Material,
+    materials: &mut Materials,
+    memory: &mut Memory,
+) -> Result<MaterialId, Problem> {
+    let id = MaterialId::at(materials.len());
+    memory.push(materials.stated_mut(), material)?;
+    Ok(id)
 }
 
 impl Reader {
     /// An empty scene with all its defaults.
     pub(super) fn new(memory: Memory) -> Self {
-        Self {
-            draft: Draft::default(),
-            memory,
-            fault: None,
-            names: Names::default(),
-            of_spheres: Vec::new(),
-            of_planes: Vec::new(),
-        }
+        Self { draft: Draft::default(), memory, fault: None, names: Names::default() }
     }
 
     pub(super) fn memory(&self) -> &Memory {
@@ -161,17 +170,13 @@ impl Reader {
                 .and_then(|light| memory.push(&mut draft.lights, light)),
             List::Spheres => {
                 let at = (value, trail.index(draft.spheres.len()));
-                sphere(at, names, memory).and_then(|(sphere, named)| {
-                    memory.push(&mut self.of_spheres, named)?;
-                    memory.push(&mut draft.spheres, sphere)
-                })
+                sphere(at, names, &mut draft.materials, memory)
+                    .and_then(|sphere| memory.push(&mut draft.spheres, sphere))
             }
             List::Planes => {
                 let at = (value, trail.index(draft.planes.len()));
-                plane(at, names, memory).and_then(|(plane, named)| {
-                    memory.push(&mut self.of_planes, named)?;
-                    memory.push(&mut draft.planes, plane)
-                })
+                plane(at, names, &mut draft.materials, memory)
+                    .and_then(|plane| memory.push(&mut draft.planes, plane))
             }
         };
         match read {
@@ -193,9 +198,10 @@ impl Reader {
         let table = Table::open(value, &trail, &MATERIAL_KEYS);
         match table.and_then(|table| material(&table, RGB)) {
             Ok(made) => {
-                let number = self.names.number(name, &mut self.memory)?;
-                let stated = &mut self.names.stated[number as usize];
-                Ok(stated.replace(made).is_none())
+                let materials = &mut self.draft.materials;
+                let named = self.names.named(name, materials, &mut self.memory)?;
+                materials[named.id] = made;
+                Ok(!std::mem::replace(&mut named.stated, true))
             }
             Err(fault) => {
                 self.keep(Err(fault));
@@ -210,55 +216,48 @@ impl Reader {
         }
     }
 
-    /// The draft that the file states, and all materials that it names, by name.
+    /// The draft that the file states.
     ///
     /// # Errors
     /// The first fault, or a material that is named and not there.
-    pub(super) fn finish(mut self) -> Result<(Draft, Vec<(String, Material)>), Problem> {
+    pub(super) fn finish(mut self) -> Result<Draft, Problem> {
         if let Some(fault) = self.fault {
             return Err(fault.into());
         }
-        let spheres = self.draft.spheres.iter_mut().map(|sphere| &mut sphere.material);
-        settle(List::Spheres, spheres, &self.of_spheres, &self.names)?;
-        let planes = self.draft.planes.iter_mut().map(|plane| &mut plane.material);
-        settle(List::Planes, planes, &self.of_planes, &self.names)?;
-        drop((self.of_spheres, self.of_planes));
-        let Names { numbers, stated } = self.names;
-        let mut materials = Vec::new();
-        for (name, number) in numbers {
-            if let Some(made) = stated[number as usize] {
-                self.memory.push(&mut materials, (name, made))?;
-            }
+        if let Some(fault) = unknown_material(&self.draft, &self.names) {
+            return Err(fault.into());
         }
-        Ok((self.draft, materials))
+        for (name, named) in self.names.0 {
+            self.draft.materials.set_name(named.id, name);
+        }
+        Ok(self.draft)
     }
 }
 
-/// Gives bodies the materials that they name.
-fn settle<'a>(
-    list_of: List,
-    bodies: impl Iterator<Item = &'a mut Material>,
-    named: &[Option<u32>],
-    names: &Names,
-) -> Result<(), Fault> {
-    for (index, (body, number)) in bodies.zip(named).enumerate() {
-        let Some(number) = *number else { continue };
-        *body = names.get(number).ok_or_else(|| {
-            let named = |&(_, &of): &(&String, &u32)| of == number;
-            let name = names.numbers.iter().find(named).map_or("", |(name, _)| name);
-            let known = names.known();
-            let allowed = if known.is_empty() {
-                format!("{MATERIAL_NAME}, and there are none")
-            } else {
-                format!("{MATERIAL_NAME}: {}", list(name, known.iter().copied()))
-            };
-            let trail = Trail::Root.key(list_of.key());
-            let trail = trail.index(index);
-            let found = Value::Text(name.to_owned()).describe();
-            Fault::new(trail.key("material"), found, allowed)
-        })?;
+/// The first body whose material is named and not stated.
+fn unknown_material(draft: &Draft, names: &Names) -> Option<Fault> {
+    let missing = names.0.iter().filter(|(_, named)| !named.stated);
+    let missing: BTreeMap<_, _> = missing.map(|(name, named)| (named.id, name)).collect();
+    if missing.is_empty() {
+        return None;
     }
-    Ok(())
+    let of_body = |body: Body<'_>| missing.get(&body.material());
+    let (place, name) =
+        draft.bodies().enumerate().find_map(|(place, body)| Some((place, of_body(body)?)))?;
+    let known = names.known();
+    let allowed = if known.is_empty() {
+        format!("{MATERIAL_NAME}, and there are none")
+    } else {
+        format!("{MATERIAL_NAME}: {}", list(name, known.iter().copied()))
+    };
+    let found = Value::Text((*name).clone()).describe();
+    let (list, index) = match place.checked_sub(draft.spheres.len()) {
+        None => (List::Spheres, place),
+        Some(index) => (List::Planes, index),
+    };
+    let trail = Trail::Root.key(list.key());
+    let trail = trail.index(index);
+    Some(Fault::new(trail.key("material"), found, allowed))
 }
 
 fn image((value, trail): (&Value, Trail<'_>)) -> Result<Image, Fault> {
@@ -306,34 +305,36 @@ fn light((value, trail): (&Value, Trail<'_>)) -> Result<Light, Fault> {
     })
 }
 
-/// A sphere, and the number of the material that it names.
+/// A sphere, whose material is added to the draft's.
 fn sphere(
     (value, trail): (&Value, Trail<'_>),
     names: &mut Names,
+    materials: &mut Materials,
     memory: &mut Memory,
-) -> Result<(Sphere, Option<u32>), Problem> {
+) -> Result<Sphere, Problem> {
     let table = Table::open(value, &trail, &body_keys(["center", "radius"]))?;
     let center = table.triple("center", POINT, &COORDINATE)?;
     let radius = table.number("radius", &RADIUS)?;
     let center = center.ok_or_else(|| table.missing("center", POINT))?;
     let radius = radius.ok_or_else(|| table.missing("radius", RADIUS.text))?;
-    let (material, named) = body_material(&table, names, memory)?;
-    Ok((Sphere { center, radius, material }, named))
+    let material = body_material(&table, names, materials, memory)?;
+    Ok(Sphere { center, radius, material })
 }
 
-/// A plane, and the number of the material that it names.
+/// A plane, whose material is added to the draft's.
 fn plane(
     (value, trail): (&Value, Trail<'_>),
     names: &mut Names,
+    materials: &mut Materials,
     memory: &mut Memory,
-) -> Result<(Plane, Option<u32>), Problem> {
+) -> Result<Plane, Problem> {
     let table = Table::open(value, &trail, &body_keys(["point", "normal"]))?;
     let point = table.triple("point", POINT, &COORDINATE)?;
     let normal = table.triple("normal", POINT, &COMPONENT)?;
     let point = point.ok_or_else(|| table.missing("point", POINT))?;
     let normal = normal.ok_or_else(|| table.missing("normal", POINT))?;
-    let (material, named) = body_material(&table, names, memory)?;
-    Ok((Plane { point, normal, material }, named))
+    let material = body_material(&table, names, materials, memory)?;
+    Ok(Plane { point, normal, material })
 }
 
 /// The keys of a body: its own two, `material`, and a material's keys.
@@ -342,13 +343,13 @@ fn body_keys([first, second]: [&'static str; 2]) -> [&'static str; 8] {
     [first, second, "material", color, diffuse, specular, shininess, reflect]
 }
 
-/// A body's material: inline, or the number of the one that it names, never both. A named one is
-/// put in place at the end.
+/// A body's material: inline, which makes it one of its own, or the one that it names, never both.
 fn body_material(
     table: &Table<'_>,
     names: &mut Names,
+    materials: &mut Materials,
     memory: &mut Memory,
-) -> Result<(Material, Option<u32>), Problem> {
+) -> Result<MaterialId, Problem> {
     if let Some((found @ Value::Table(_), trail)) = table.get("material") {
         let keys = MATERIAL_KEYS.join(", ");
         let allowed =
@@ -357,7 +358,7 @@ fn body_material(
     }
     let Some(name) = table.text("material", MATERIAL_NAME)? else {
         let words = "[r, g, b] here, or `material` with the name of one of the materials";
-        return Ok((material(table, words)?, None));
+        return push_material(material(table, words)?, materials, memory);
     };
     if let Some(key) = MATERIAL_KEYS.into_iter().find(|key| table.get(key).is_some()) {
         let allowed = "either the name of a material or a material's keys inline, not both";
@@ -368,7 +369,7 @@ fn body_material(
         )
         .into());
     }
-    Ok((Material::matt([0.0; 3]), Some(names.number(name, memory)?)))
+    Ok(names.named(name, materials, memory)?.id)
 }
 
 /// The keys of a material, wherever they stand.

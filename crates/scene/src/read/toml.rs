@@ -71,6 +71,9 @@ fn read_part(mut root: DeTable<'_>, reader: &mut Reader) -> Result<(), Stop> {
                 }
             }
             (DeValue::Table(named), None) if key == MATERIALS => {
+                // In the order of the file: the parser's own is that of the alphabet.
+                let mut named: Vec<_> = named.into_iter().collect();
+                named.sort_by_key(|(name, _)| name.span().start);
                 for (name, stated) in named {
                     let stated = value(stated.into_inner());
                     let new = reader.material(name.get_ref(), &stated);

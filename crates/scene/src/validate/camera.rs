@@ -1,7 +1,7 @@
 //! The camera: that it sees a picture at all.
 
 use super::allowed::{COMPONENT, COORDINATE, FIELD_OF_VIEW};
-use super::{direction, list, one, triple};
+use super::check::{direction, list, one, triple};
 use crate::direction::{parallel, unit};
 use crate::error::{Fault, Trail, number};
 use crate::{Camera, Image};

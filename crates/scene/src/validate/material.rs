@@ -1,7 +1,7 @@
 //! Materials: their factors, and that the light they send back stays within f32.
 
 use super::allowed::{AMOUNT, LIGHT, MIRROR, SPECULAR};
-use super::{list, one, triple};
+use super::check::{list, one, triple};
 use crate::error::{Fault, Trail, number};
 use crate::{Draft, Material};
 

@@ -1,8 +1,9 @@
 //! Which keys are written, and their values' spelling, which TOML and JSON share.
 
-use super::sharing::Sharing;
+use super::names::Names;
+use super::text::text;
 use crate::error::number;
-use crate::{Camera, Draft, Image, Light, Material, Numerics, Render, Transfer};
+use crate::{Camera, Draft, Image, Light, Material, MaterialId, Numerics, Render, Transfer};
 
 /// Keys and values of one table.
 pub(super) type Entries = Vec<(&'static str, String)>;
@@ -18,30 +19,27 @@ pub(super) enum Section {
 /// A draft's sections in the order of the format, without empty ones. Its numbers are
 /// finite: JSON has no others.
 pub(super) fn sections(draft: &Draft) -> Vec<Section> {
-    let sharing = Sharing::of(draft);
-    let body = |own: [(&'static str, String); 2], made: &Material| {
-        let mut entries = Entries::from(own);
-        match sharing.name(made) {
-            Some(name) => entries.push(("material", format!("{name:?}"))),
-            None => entries.extend(material(made)),
-        }
-        entries
+    let names = Names::of(draft);
+    let made_of = |id: MaterialId| match names.of_material(id) {
+        Some(name) => vec![("material", text(name))],
+        None => material(&draft.materials[id]),
     };
-    let named = sharing.shared().map(|(name, shared)| (name, material(shared))).collect();
     let spheres = draft.spheres.iter().map(|sphere| {
         let own = [("center", triple(sphere.center)), ("radius", number(sphere.radius))];
-        body(own, &sphere.material)
+        own.into_iter().chain(made_of(sphere.material)).collect()
     });
     let planes = draft.planes.iter().map(|plane| {
         let own = [("point", triple(plane.point)), ("normal", triple(plane.normal))];
-        body(own, &plane.material)
+        own.into_iter().chain(made_of(plane.material)).collect()
     });
+    let named =
+        names.written.iter().map(|(id, name)| (name.clone(), material(&draft.materials[*id])));
     let mut sections = vec![
         Section::Table("image", image(&draft.image)),
         Section::Table("camera", camera(&draft.camera)),
         Section::Table("render", render(&draft.render)),
         Section::Array("lights", draft.lights.iter().map(light).collect()),
-        Section::Named("materials", named),
+        Section::Named("materials", named.collect()),
         Section::Array("spheres", spheres.collect()),
         Section::Array("planes", planes.collect()),
     ];

@@ -1,18 +1,19 @@
 //! The two layouts of the same entries.
 
 use super::entries::{Entries, Section};
+use super::text::{key, text};
 
 /// A line for each key, a blank line between tables.
 pub(super) fn toml(sections: &[Section]) -> String {
-    let mut text = String::new();
+    let mut toml = String::new();
     let mut table = |header: String, entries: &Entries| {
-        if !text.is_empty() {
-            text.push('\n');
+        if !toml.is_empty() {
+            toml.push('\n');
         }
-        text += &header;
-        text.push('\n');
+        toml += &header;
+        toml.push('\n');
         for (key, value) in entries {
-            text.extend([*key, " = ", value.as_str(), "\n"]);
+            toml.extend([*key, " = ", value.as_str(), "\n"]);
         }
     };
     for section in sections {
@@ -20,7 +21,7 @@ pub(super) fn toml(sections: &[Section]) -> String {
             Section::Table(name, entries) => table(format!("[{name}]"), entries),
             Section::Named(parent, tables) => {
                 for (name, entries) in tables {
-                    table(format!("[{parent}.{name}]"), entries);
+                    table(format!("[{parent}.{}]", key(name)), entries);
                 }
             }
             Section::Array(name, tables) => {
@@ -30,7 +31,7 @@ pub(super) fn toml(sections: &[Section]) -> String {
             }
         }
     }
-    text
+    toml
 }
 
 /// A line for each table.
@@ -39,7 +40,7 @@ pub(super) fn json(sections: &[Section]) -> String {
         Section::Table(name, entries) => format!("  \"{name}\": {}", object(entries)),
         Section::Named(parent, tables) => {
             let line =
-                |(name, entries): &(String, _)| format!("    \"{name}\": {}", object(entries));
+                |(name, entries): &(String, _)| format!("    {}: {}", text(name), object(entries));
             format!("  \"{parent}\": {{\n{}\n  }}", separated(tables.iter().map(line), ",\n"))
         }
         Section::Array(name, tables) => {

@@ -75,17 +75,15 @@ pub fn rounded_input(scene: &Scene) -> Result<Scene, SceneError> {
         light.position = place(light.position);
         light.intensity = light.intensity.map(rounded);
     }
-    let spheres = draft.spheres.iter_mut().map(|s| {
-        s.center = place(s.center);
-        s.radius = rounded(s.radius);
-        &mut s.material
-    });
-    let planes = draft.planes.iter_mut().map(|p| {
-        p.point = place(p.point);
-        p.normal = p.normal.map(rounded);
-        &mut p.material
-    });
-    for material in spheres.chain(planes) {
+    for sphere in &mut draft.spheres {
+        sphere.center = place(sphere.center);
+        sphere.radius = rounded(sphere.radius);
+    }
+    for plane in &mut draft.planes {
+        plane.point = place(plane.point);
+        plane.normal = plane.normal.map(rounded);
+    }
+    for material in draft.materials.iter_mut() {
         material.color = material.color.map(rounded);
         material.diffuse = rounded(material.diffuse);
         material.specular = rounded(material.specular);

@@ -76,7 +76,7 @@ impl Case {
         draft.lights.iter_mut().for_each(|light| moved(&mut light.position));
         draft.spheres.iter_mut().for_each(|sphere| moved(&mut sphere.center));
         // Every primitive a mirror, or paths would end there.
-        draft.spheres.iter_mut().for_each(|sphere| sphere.material.reflect = Some(0.9));
+        draft.materials.iter_mut().for_each(|material| material.reflect = Some(0.9));
         (draft.image.width, draft.image.height) = (16, 12);
         draft.render.max_depth = 400;
         picture("closed room, 3 balls", Scene::new(draft).expect("a valid family"), room.radius)

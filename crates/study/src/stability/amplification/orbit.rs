@@ -15,7 +15,7 @@
 //! spreads of [`super::tangent`]. Such a ray runs into the orbit and stays until n.
 
 use catoptric_reference::truth::{Precision, Truth, Vertex};
-use catoptric_scene::{Camera, Draft, Image, Material, Scene, Sphere, View};
+use catoptric_scene::{Camera, Draft, Image, Material, Materials, Scene, Sphere, View};
 use glam::DVec3;
 
 use super::tangent::{periodic_lambda, spreads};
@@ -138,7 +138,8 @@ impl Orbit {
         let [forward, side, up] = [DVec3::X, DVec3::Y, DVec3::Z].map(|v| turned(mirrored(v)));
         // Right-handed: the side is to the right.
         let up = if forward.cross(up).dot(side) < 0.0 { -up } else { up };
-        let material = Material { reflect: Some(1.0), ..Material::matt([0.4; 3]) };
+        let mut materials = Materials::default();
+        let material = materials.add(Material { reflect: Some(1.0), ..Material::matt([0.4; 3]) });
         let sphere = |c: &DVec3| Sphere { center: c.to_array(), radius: RADIUS, material };
         let mut draft = Draft {
             image: Image { width: 3, height: 3, ..Image::default() },
@@ -149,6 +150,7 @@ impl Orbit {
                 fov: 90.0,
             },
             spheres: self.centers.iter().map(sphere).collect(),
+            materials,
             ..Draft::default()
         };
         draft.render.max_depth = u32::try_from(bounces).expect("a depth") + 32;

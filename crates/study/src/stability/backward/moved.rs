@@ -25,13 +25,11 @@ pub(super) fn scene(scene: &Scene, seed: u64, size: f64) -> Option<Scene> {
     for plane in &mut draft.planes {
         eye.move_plane(draws, plane);
     }
-    let materials = draft.spheres.iter_mut().map(|sphere| &mut sphere.material);
-    let materials = materials.chain(draft.planes.iter_mut().map(|plane| &mut plane.material));
-    for material in materials {
+    draft.remake_materials(|material| {
         material.reflect = Some(material.mirror());
         let exponent = material.shininess * if draws.unit() < 0.5 { -1.0 } else { 1.0 };
         material.specular *= (1.0 + size).powf(exponent);
-    }
+    });
     Scene::new(draft).ok()
 }
 

@@ -59,7 +59,11 @@ fn unseen_balls() -> Kind {
         draft.render.background = [0.6, 0.7, 0.9];
         draft.lights.push(Light { position: [30.0, 50.0, 20.0], intensity: [1.0; 3] });
         let mut ball = |center, radius, color| {
-            draft.spheres.push(Sphere { center, radius, material: Material::matt(color) });
+            draft.spheres.push(Sphere {
+                center,
+                radius,
+                material: draft.materials.add(Material::matt(color)),
+            });
         };
         ball([0.0, -radius, 0.0], radius, [0.4, 0.5, 0.3]);
         ball([0.0, 1.0, 0.0], 1.0, [0.9, 0.3, 0.2]);
@@ -77,9 +81,21 @@ fn unseen_balls() -> Kind {
 fn far_things() -> Kind {
     let material = Material::matt([0.3, 0.5, 0.9]);
     let [mut dome, mut wall, mut planet] = [0; 3].map(|_| workshop(160, 120, 5, 0.0));
-    dome.spheres.push(Sphere { center: [0.0, 0.0, -20.0], radius: 1e4, material });
-    wall.planes.push(Plane { point: [0.0, 0.0, -1e6], normal: [0.0, 0.0, 1.0], material });
-    planet.spheres.push(Sphere { center: [3e7, 4e7, -9e7], radius: 1e7, material });
+    dome.spheres.push(Sphere {
+        center: [0.0, 0.0, -20.0],
+        radius: 1e4,
+        material: dome.materials.add(material),
+    });
+    wall.planes.push(Plane {
+        point: [0.0, 0.0, -1e6],
+        normal: [0.0, 0.0, 1.0],
+        material: wall.materials.add(material),
+    });
+    planet.spheres.push(Sphere {
+        center: [3e7, 4e7, -9e7],
+        radius: 1e7,
+        material: planet.materials.add(material),
+    });
     Kind {
         cases: ["far things, levels", "far things, by input"],
         tested: "the workshop's scene (160x120, depth 5) under a dome of radius 10 000, before a plane a million away, with a planet of 1e7 at 1e8".to_owned(),
@@ -110,7 +126,11 @@ fn far_ball(way: [f64; 3], radius: f64, distance: f64, lamp_at_eye: bool) -> Dra
     };
     draft.lights.push(Light { position: lamp, intensity: [1.0; 3] });
     let material = Material::matt([0.8; 3]);
-    draft.spheres.push(Sphere { center: [0.0; 3], radius, material });
+    draft.spheres.push(Sphere {
+        center: [0.0; 3],
+        radius,
+        material: draft.materials.add(material),
+    });
     sized(draft, 61, 61, 5)
 }
 

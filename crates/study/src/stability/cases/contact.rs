@@ -44,8 +44,9 @@ fn gaps(effort: Effort, findings: &mut Findings) {
             draft.camera.look_at = along(PLACE, view, 1.0);
             draft.camera.up = axis;
             draft.render.max_depth = 0;
+            let material = draft.materials.add(mirror(0.0));
             draft.spheres = [(first, RADII[0]), (second, RADII[1])]
-                .map(|(center, radius)| Sphere { center, radius, material: mirror(0.0) })
+                .map(|(center, radius)| Sphere { center, radius, material })
                 .to_vec();
             let rays = Rays::new(formula, &draft);
             for _ in 0..effort.rays {
@@ -132,11 +133,15 @@ fn shadows(findings: &mut Findings) {
     draft.render.ambient = [0.0; 3];
     draft.lights.push(Light { position: [5.3, 9.1, 4.7], intensity: [1.0; 3] });
     let ground = [0.0, -GROUND, 0.0];
-    draft.spheres.push(Sphere { center: ground, radius: GROUND, material: glossy(0.0) });
+    draft.spheres.push(Sphere {
+        center: ground,
+        radius: GROUND,
+        material: draft.materials.add(glossy(0.0)),
+    });
     for (x, z, radius) in [(-1.13, 0.57, 0.83), (0.41, 1.93, 0.31), (1.37, -0.79, 1.67)] {
         let up = unit([x, GROUND, z]);
         let center = along(ground, up, GROUND + radius);
-        draft.spheres.push(Sphere { center, radius, material: glossy(0.0) });
+        draft.spheres.push(Sphere { center, radius, material: draft.materials.add(glossy(0.0)) });
     }
     let draft = sized(placed(&draft), 320, 240, 0);
     let scene = Formula::RobustF32.scene(&draft);
@@ -191,7 +196,7 @@ fn lone_sphere(radius: f64, height: f64) -> Draft {
     let half_angle = (0.7 / (1.0 + height)).asin();
     draft.camera.fov = half_angle.to_degrees();
     let center = along(PLACE, down, distance);
-    draft.spheres.push(Sphere { center, radius, material: mirror(0.5) });
+    draft.spheres.push(Sphere { center, radius, material: draft.materials.add(mirror(0.5)) });
     for _ in 0..3 {
         let position = along(center, direction(draws), 5.3 * radius);
         draft.lights.push(Light { position, intensity: [1.0; 3] });

@@ -28,7 +28,7 @@ fn ball(radius: f64, distance: f64, seed: u64) -> Draft {
     draft.camera.up = across(draws, way);
     draft.render.max_depth = 0;
     let center = along(PLACE, way, distance);
-    draft.spheres.push(Sphere { center, radius, material: mirror(0.0) });
+    draft.spheres.push(Sphere { center, radius, material: draft.materials.add(mirror(0.0)) });
     draft
 }
 

@@ -69,9 +69,13 @@ fn ball() -> Draft {
     draft.camera.fov = 50.0;
     draft.render.background = [0.2, 0.3, 0.4];
     draft.lights.push(Light { position: [3.1, 4.7, 1.3], intensity: [0.9; 3] });
-    draft.spheres.push(Sphere { center: [0.23, 0.17, -5.3], radius: 2.0, material: glossy(0.5) });
+    draft.spheres.push(Sphere {
+        center: [0.23, 0.17, -5.3],
+        radius: 2.0,
+        material: draft.materials.add(glossy(0.5)),
+    });
     let center = [-0.93, -0.87, -3.91];
-    draft.spheres.push(Sphere { center, radius: 0.61, material: glossy(0.3) });
+    draft.spheres.push(Sphere { center, radius: 0.61, material: draft.materials.add(glossy(0.3)) });
     sized(draft, 48, 36, 8)
 }
 
@@ -93,17 +97,26 @@ fn scenes() -> Vec<(&'static str, &'static str, Draft)> {
     // Neat numbers: the eye or the lamp is on the sphere exactly, 3^2 + 4^2 = 5^2.
     let on_surface = |toward: f64| {
         let mut draft = ball();
-        draft.spheres =
-            vec![Sphere { center: [0.0, -4.0, -3.0], radius: 5.0, material: glossy(0.5) }];
+        let center = [0.0, -4.0, -3.0];
+        draft.spheres.clear();
+        draft.spheres.push(Sphere {
+            center,
+            radius: 5.0,
+            material: draft.materials.add(glossy(0.5)),
+        });
         // Something to see and to light, outwards.
         let center = [0.57, 5.03, 4.11];
-        draft.spheres.push(Sphere { center, radius: 1.0, material: glossy(0.3) });
+        draft.spheres.push(Sphere {
+            center,
+            radius: 1.0,
+            material: draft.materials.add(glossy(0.3)),
+        });
         draft.camera.look_at = [0.3, 4.0 * toward, 3.0 * toward];
         draft.camera.up = [1.0, 0.0, 0.0];
         draft
     };
     let mut lamp_on = ball();
-    lamp_on.spheres[0] = Sphere { center: [0.0, -4.0, -8.0], radius: 5.0, material: glossy(0.5) };
+    (lamp_on.spheres[0].center, lamp_on.spheres[0].radius) = ([0.0, -4.0, -8.0], 5.0);
     lamp_on.lights[0].position = [0.0, 0.0, -5.0];
     lamp_on.spheres[1].center = [-1.13, 0.43, -4.31];
     // The lamp at the point that the middle pixel sees.
@@ -166,9 +179,7 @@ fn scenes() -> Vec<(&'static str, &'static str, Draft)> {
         (
             "no mirrors",
             "two matt balls",
-            with(|d| {
-                d.spheres.iter_mut().for_each(|s| s.material = Material::matt([0.7, 0.5, 0.3]))
-            }),
+            with(|d| d.materials.iter_mut().for_each(|m| *m = Material::matt([0.7, 0.5, 0.3]))),
         ),
         ("k just below 1", "inside a mirror ball, k = 1 - 2^-24, depth 64", {
             let mut draft = placed(&empty_room(48, 36, 64, 1.0 - 1.0 / 16_777_216.0));

@@ -84,8 +84,9 @@ fn twice(findings: &mut Findings) {
         let once = sized(placed(&once), 80, 60, 20);
         let mut doubled = once.clone();
         doubled.spheres.extend(once.spheres.iter().rev().copied());
+        let magenta = doubled.materials.add(Material::matt([9.0, 0.0, 9.0]));
         for sphere in &mut doubled.spheres[once.spheres.len()..] {
-            sphere.material = Material::matt([9.0, 0.0, 9.0]);
+            sphere.material = magenta;
         }
         [once, doubled]
     });

@@ -33,7 +33,7 @@ fn sphere_below(radius: f64, height: f64, down: [f64; 3]) -> Draft {
     draft.camera.look_at = along(PLACE, down, 1.0);
     draft.camera.up = across(&mut Draws::new(3), down);
     draft.render.max_depth = 0;
-    draft.spheres.push(Sphere { center, radius, material: mirror(0.0) });
+    draft.spheres.push(Sphere { center, radius, material: draft.materials.add(mirror(0.0)) });
     draft
 }
 

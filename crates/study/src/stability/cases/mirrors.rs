@@ -33,7 +33,7 @@ fn leaks(findings: &mut Findings) {
         leaks_of(findings, case, &tested, &placed(&empty_room(width, height, depth, 1.0)));
     }
     let mut room = Room { balls: 5, ..Room::default() }.draft().expect("in range");
-    room.spheres.iter_mut().for_each(|sphere| sphere.material.reflect = Some(1.0));
+    room.materials.iter_mut().for_each(|material| material.reflect = Some(1.0));
     let tested =
         "a mirror room of radius 10 with five balls, k 1 all of them, 16x12 rays to depth 10 000";
     let case = "leaks among balls, depth 10 000";

@@ -15,13 +15,17 @@ const ANGLE: &[f64] = &[0.0, -30.0, 180.0, 360.0, f64::NAN, f64::INFINITY, f64::
 const FACTOR: &[f64] = &[2.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
 const NUMBERS: &[Number] = &[
-    ("spheres[0].reflect", |d| d.spheres[0].material.reflect.get_or_insert(0.0), FACTOR),
+    (
+        "spheres[0].reflect",
+        |d| d.materials[d.spheres[0].material].reflect.get_or_insert(0.0),
+        FACTOR,
+    ),
     ("spheres[0].specular", specular_as_mirror, FACTOR),
     ("spheres[0].radius", |d| &mut d.spheres[0].radius, POSITIVE),
     ("spheres[0].center[1]", |d| &mut d.spheres[0].center[1], NONE),
-    ("spheres[0].color[0]", |d| &mut d.spheres[0].material.color[0], NOT_NEGATIVE),
-    ("spheres[0].diffuse", |d| &mut d.spheres[0].material.diffuse, NOT_NEGATIVE),
-    ("spheres[0].shininess", |d| &mut d.spheres[0].material.shininess, NOT_NEGATIVE),
+    ("spheres[0].color[0]", |d| &mut d.materials[d.spheres[0].material].color[0], NOT_NEGATIVE),
+    ("spheres[0].diffuse", |d| &mut d.materials[d.spheres[0].material].diffuse, NOT_NEGATIVE),
+    ("spheres[0].shininess", |d| &mut d.materials[d.spheres[0].material].shininess, NOT_NEGATIVE),
     ("planes[0].point[2]", |d| &mut d.planes[0].point[2], NONE),
     ("planes[0].normal[0]", |d| &mut d.planes[0].normal[0], NONE),
     ("lights[0].position[0]", |d| &mut d.lights[0].position[0], NONE),
@@ -37,7 +41,7 @@ const NUMBERS: &[Number] = &[
 
 /// Without `reflect`, `specular` is the mirror's factor.
 fn specular_as_mirror(draft: &mut Draft) -> &mut f64 {
-    let material = &mut draft.spheres[0].material;
+    let material = &mut draft.materials[draft.spheres[0].material];
     material.reflect = None;
     &mut material.specular
 }
@@ -92,9 +96,17 @@ pub(crate) fn all() -> Vec<Refusal> {
 fn valid() -> Draft {
     let mut draft = Draft::default();
     draft.lights.push(Light { position: [3.1, 9.7, 2.3], intensity: [1.0; 3] });
-    draft.spheres.push(Sphere { center: [0.3, -0.2, -20.1], radius: 4.1, material: mirror(0.5) });
+    draft.spheres.push(Sphere {
+        center: [0.3, -0.2, -20.1],
+        radius: 4.1,
+        material: draft.materials.add(mirror(0.5)),
+    });
     let material = Material::matt([0.5; 3]);
-    draft.planes.push(Plane { point: [0.0, -5.3, 0.0], normal: [0.1, 1.0, 0.2], material });
+    draft.planes.push(Plane {
+        point: [0.0, -5.3, 0.0],
+        normal: [0.1, 1.0, 0.2],
+        material: draft.materials.add(material),
+    });
     draft
 }
 

@@ -11,7 +11,7 @@ const WORKSHOP: &str = include_str!("../../../../../scenes/workshop.toml");
 pub(crate) fn workshop(width: u32, height: u32, max_depth: u32, ground: f64) -> Draft {
     let document = Document::parse("workshop.toml", WORKSHOP.as_bytes(), SceneFormat::Toml);
     let mut draft = document.expect("the scene of scenes/").draft().clone();
-    draft.spheres[0].material.reflect = Some(ground);
+    draft.materials[draft.spheres[0].material].reflect = Some(ground);
     sized(draft, width, height, max_depth)
 }
 
@@ -51,7 +51,7 @@ pub(crate) fn between_balls(orbit: &Orbit, degrees: f64, k: f64, max_depth: u32)
     draft.camera.fov = degrees;
     draft.render.background = [0.3, 0.5, 0.7];
     draft.lights.push(Light { position: along(eye, [11.0, 13.0, 7.0], 1.0), intensity: [0.8; 3] });
-    draft.spheres.iter_mut().for_each(|sphere| sphere.material = glossy(k));
+    draft.materials.iter_mut().for_each(|material| *material = glossy(k));
     sized(draft, 40, 30, max_depth)
 }
 
@@ -63,6 +63,10 @@ pub(crate) fn empty_room(width: u32, height: u32, max_depth: u32, k: f64) -> Dra
     draft.camera.look_at = [-0.41, 0.37, 0.19];
     draft.camera.fov = 70.0;
     draft.render.background = [1e6; 3];
-    draft.spheres.push(Sphere { center: [0.23, 0.11, -0.31], radius: 10.0, material: mirror(k) });
+    draft.spheres.push(Sphere {
+        center: [0.23, 0.11, -0.31],
+        radius: 10.0,
+        material: draft.materials.add(mirror(k)),
+    });
     sized(draft, width, height, max_depth)
 }

@@ -64,10 +64,14 @@ pub(super) fn draft(seed: u64) -> Draft {
         let aside = across(draws, toward);
         let point = along(nearest, aside, one(draws, [0.0, 1.0, 1e3]) * gap);
         let normal = toward.map(|x| -x);
-        draft.planes.push(Plane { point, normal, material: material(draws) });
+        draft.planes.push(Plane { point, normal, material: draft.materials.add(material(draws)) });
     } else {
         let center = along(eye, toward, to_center);
-        draft.spheres.push(Sphere { center, radius: size, material: material(draws) });
+        draft.spheres.push(Sphere {
+            center,
+            radius: size,
+            material: draft.materials.add(material(draws)),
+        });
     }
     camera(draws, &mut draft, eye, toward, gap, if flat { 1e3 * gap } else { size });
     for _ in 0..draws.below(5) {
@@ -149,7 +153,7 @@ fn another(draws: &mut Draws, draft: &mut Draft, nearest: [f64; 3], size: f64, g
         let height = scale * draws.log_between(1e-3, 1e6);
         let from = one(draws, [nearest, eye]);
         let point = along(from, way, if height > FAR { FAR } else { height });
-        draft.planes.push(Plane { point, normal: way, material });
+        draft.planes.push(Plane { point, normal: way, material: draft.materials.add(material) });
         return;
     }
     let center = match draws.below(6) {
@@ -167,7 +171,7 @@ fn another(draws: &mut Draws, draft: &mut Draft, nearest: [f64; 3], size: f64, g
         // Around the eye.
         _ => along(eye, way, radius * draws.unit()),
     };
-    draft.spheres.push(Sphere { center, radius, material });
+    draft.spheres.push(Sphere { center, radius, material: draft.materials.add(material) });
 }
 
 /// Matt, glossy or a mirror; never so bright that the picture's floor drowns all else.

@@ -30,8 +30,12 @@ fn simpler(draft: &Draft) -> Vec<Draft> {
     all.extend((0..draft.lights.len()).map(|i| with(&|d| _ = d.lights.remove(i))));
     // Each of these leaves a draft equal to itself at last, so that the loop ends.
     all.push(with(&|d| d.render.max_depth = d.render.max_depth.saturating_sub(1)));
-    all.extend((0..draft.spheres.len()).map(|i| with(&|d| plain(&mut d.spheres[i].material))));
-    all.extend((0..draft.planes.len()).map(|i| with(&|d| plain(&mut d.planes[i].material))));
+    all.extend(
+        (0..draft.spheres.len()).map(|i| with(&|d| plain(&mut d.materials[d.spheres[i].material]))),
+    );
+    all.extend(
+        (0..draft.planes.len()).map(|i| with(&|d| plain(&mut d.materials[d.planes[i].material]))),
+    );
     all
 }
 

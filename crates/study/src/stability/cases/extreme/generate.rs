@@ -41,14 +41,18 @@ pub(super) fn draft(seed: u64) -> Draft {
     for _ in 0..draws.below(5) {
         let radius = radius(draws, size);
         let center = center(draws, &draft.spheres, position, size, radius);
-        draft.spheres.push(Sphere { center, radius, material: material(draws) });
+        draft.spheres.push(Sphere {
+            center,
+            radius,
+            material: draft.materials.add(material(draws)),
+        });
     }
     for _ in 0..draws.below(3) {
         let normal = direction(draws);
         let (away, length) = (size * draws.between(-1.0, 1.0), length(draws));
         let point = along(position, normal, away);
         let normal = normal.map(|x| x * length);
-        draft.planes.push(Plane { point, normal, material: material(draws) });
+        draft.planes.push(Plane { point, normal, material: draft.materials.add(material(draws)) });
     }
     for _ in 0..draws.below(3) {
         let position = lamp(draws, &draft.spheres, position, size);
@@ -202,7 +206,8 @@ fn spoil(draws: &mut Draws, draft: &mut Draft) {
         5 => draft.lights.iter_mut().for_each(|light| light.position[axis] = odd),
         6 => draft.lights.iter_mut().for_each(|light| light.intensity[axis] = odd),
         7 => draft.spheres.iter_mut().for_each(|sphere| sphere.radius = odd),
-        8 => draft.spheres.iter_mut().for_each(|sphere| sphere.material.reflect = Some(odd)),
+        8 => (draft.spheres.iter())
+            .for_each(|sphere| draft.materials[sphere.material].reflect = Some(odd)),
         _ => draft.planes.iter_mut().for_each(|plane| plane.normal[axis] = odd),
     }
 }

@@ -16,8 +16,9 @@ pub(super) fn run(findings: &mut Findings) {
     let room = Room { balls: 3, ..Room::default() }.draft().expect("in range");
     let outside = room.spheres[0].radius;
     let room = sized(placed(&room), 80, 60, 8);
-    let workshop = placed(&workshop(80, 60, 8, 0.3));
-    let material = Material::matt([9.0, 0.0, 9.0]);
+    let mut workshop = placed(&workshop(80, 60, 8, 0.3));
+    let magenta = Material::matt([9.0, 0.0, 9.0]);
+    let material = workshop.materials.add(magenta);
     let within = workshop.spheres.iter().flat_map(|sphere| {
         [0.5, 1e-2, 1e-4].map(|share| Sphere {
             center: sphere.center,
@@ -37,10 +38,10 @@ pub(super) fn run(findings: &mut Findings) {
         let way = unit(PLACE);
         let mut more = room.clone();
         let center = along(room.spheres[0].center, way, 1.1 * (outside + size) + 1.0);
-        more.spheres.push(Sphere { center, radius: size, material });
+        more.spheres.push(Sphere { center, radius: size, material: more.materials.add(magenta) });
         pairs.push([room.clone(), more.clone()]);
         let point = along(room.spheres[0].center, way, 1.1 * outside + size);
-        more.planes.push(Plane { point, normal: way, material });
+        more.planes.push(Plane { point, normal: way, material: more.materials.add(magenta) });
         pairs.push([room.clone(), more]);
     }
     for formula in Formula::ALL {
