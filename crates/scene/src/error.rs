@@ -12,6 +12,8 @@ pub use shown::{is_visible, shown};
 use std::fmt;
 use std::ops::Range;
 
+use excerpt::NAME;
+
 /// A scene that cannot be used.
 ///
 /// Display is the whole message for people: the file (where there is one), the key's path,
@@ -28,9 +30,6 @@ pub struct SceneError {
     problem: Box<Problem>,
     place: Place,
 }
-
-/// Columns of a file's name.
-const NAME: usize = 240;
 
 /// Columns of what a parser says.
 const MESSAGE: usize = 480;

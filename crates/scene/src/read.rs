@@ -8,6 +8,7 @@
 
 mod draft;
 mod json;
+mod located;
 mod memory;
 mod nearest;
 mod table;
@@ -18,11 +19,11 @@ mod value;
 use std::ops::Range;
 use std::path::Path;
 
-use crate::error::{KeyPath, Problem, Segment, Target};
+use crate::error::{KeyPath, Problem, Target};
 use crate::{Draft, Scene, SceneError};
 use draft::Reader;
+use located::Located;
 use memory::Memory;
-use value::Value;
 
 /// The language of a scene file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -175,25 +176,10 @@ fn place(
     }
 }
 
-/// A key's value in the text.
-struct Located {
-    /// Its bytes, or those of the key if that was asked for.
-    span: Range<usize>,
-    value: Value,
-    /// Segments of the path that were walked: fewer than all where a number stands for an
-    /// array.
-    depth: usize,
-}
-
 /// Finds a key; `None` if the text does not have it.
 fn locate(text: &str, format: SceneFormat, path: &KeyPath, target: Target) -> Option<Located> {
     match format {
         SceneFormat::Toml => toml::locate(text, &path.0, target),
         SceneFormat::Json => json::locate(text, &path.0),
     }
-}
-
-/// Whether a number stands in place of the array that the rest of a path points into.
-fn stands_for_array(value: &Value, rest: &[Segment]) -> bool {
-    matches!(value, Value::Number { .. }) && matches!(rest, [Segment::Index(_)])
 }

@@ -4,7 +4,10 @@ use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
-use super::shown::{push_visible, width};
+use super::shown::{self, push_visible, width};
+
+/// Columns of a file's name.
+pub(super) const NAME: usize = 240;
 
 /// Line and column of a byte, both from 1, the column in characters. A byte past the end
 /// or inside a character counts as the nearest place before it.
@@ -40,7 +43,7 @@ pub(super) fn render(file: &str, text: &str, line: usize, span: Range<usize>) ->
     shown += &behind;
     shown += if behind_whole { "" } else { CUT };
 
-    let file = super::shown(file, super::NAME);
+    let file = shown::shown(file, NAME);
     let snippet = Snippet::source(shown)
         .line_start(line)
         .path(&file)

@@ -14,7 +14,7 @@ use super::text::starts_like_json;
 use super::value::Value;
 use crate::SceneError;
 use crate::error::Problem;
-use value::{ValueSeed, ValueVisitor};
+use value::{ValueSeed, ValueVisitor, twice};
 
 /// Reads a text. The parser refuses nesting deeper than 127, so recursion ends.
 pub(super) fn read(name: &str, text: &str, reader: &mut Reader) -> Result<(), SceneError> {
@@ -110,10 +110,6 @@ impl At<'_> {
             E::custom("no memory")
         })
     }
-}
-
-fn twice<E: Error>(key: &str) -> E {
-    E::custom(format_args!("the key {key:?} is there twice"))
 }
 
 impl<'de> DeserializeSeed<'de> for At<'_> {

@@ -13,9 +13,9 @@ use ::toml::Spanned;
 use ::toml::de::{DeTable, DeValue, Error};
 
 use super::draft::{KEYS, List, MATERIALS, Reader};
+use super::located::{Located, stands_for_array};
 use super::memory::Memory;
 use super::text::starts_like_json;
-use super::{Located, stands_for_array};
 use crate::SceneError;
 use crate::error::{Problem, Segment, Target};
 use parts::{Part, parts};

@@ -6,8 +6,9 @@ use std::ops::Range;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 
-use super::super::{Located, stands_for_array};
-use super::ValueSeed;
+use super::super::located::{Located, stands_for_array};
+use super::super::value::Value;
+use super::value::ValueSeed;
 use crate::error::Segment;
 
 /// Finds a key in a text that has been parsed before. A key itself is shown at its value.
@@ -30,7 +31,7 @@ pub(in super::super) fn locate(text: &str, path: &[Segment]) -> Option<Located> 
     Some(Located { span: span(text, raw.get()), value, depth: path.len() })
 }
 
-fn value(text: &str) -> Option<super::Value> {
+fn value(text: &str) -> Option<Value> {
     ValueSeed::TOP.deserialize(&mut serde_json::Deserializer::from_str(text)).ok()
 }
 

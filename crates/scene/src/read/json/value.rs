@@ -3,10 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
 use super::super::value::Value;
-use super::twice;
 
 /// Levels below a value that are kept: its keys, a key's numbers, and one below to tell a number
 /// from what is none. What is nested deeper is of no type that a scene has.
@@ -15,6 +14,11 @@ const LEVELS: u32 = 3;
 /// Keys of a table that are kept: more than any table of a scene may have, so that one of them is
 /// unknown where there are more.
 const TABLE_KEYS: usize = 32;
+
+/// A key that is there twice in one table.
+pub(super) fn twice<E: Error>(key: &str) -> E {
+    E::custom(format_args!("the key {key:?} is there twice"))
+}
 
 /// Reads a value that is so many levels down.
 #[derive(Clone, Copy)]
