@@ -4,6 +4,7 @@
 //! what they share, `event` what they can be seen doing.
 
 mod aside_forward;
+mod error;
 mod event;
 mod native_stack;
 mod picture;
@@ -16,8 +17,9 @@ mod r5_engine;
 mod rung;
 mod walk;
 
+pub use error::{DEEPEST, Error};
 pub use event::{Event, Watch};
 pub use native_stack::native_stack;
 pub use picture::{render_by, watch_by};
-pub use rung::{DEEPEST, Error, FORWARD, RUNGS, RenderView, Rung, WatchRay};
+pub use rung::{FORWARD, RUNGS, RenderView, Rung, WatchRay};
 pub use walk::{Flight, PendingBounce, Step, Walk};

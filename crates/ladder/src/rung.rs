@@ -1,32 +1,15 @@
 //! The table of rungs.
 
-use catoptric_core::{Settings, StackFull};
+use catoptric_core::Settings;
 use catoptric_reference::DEPTH_ALLOWED;
 use catoptric_scene::{Compiled, Counts, Film, Grid};
 use glam::Vec3;
 
 use crate::r2_frames::Owed;
 use crate::{
-    PendingBounce, Watch, aside_forward, r0_recursion, r1_continuations, r2_frames, r3_loop,
-    r4_packets, r5_engine, render_by, watch_by,
+    DEEPEST, Error, PendingBounce, Watch, aside_forward, r0_recursion, r1_continuations, r2_frames,
+    r3_loop, r4_packets, r5_engine, render_by, watch_by,
 };
-
-/// The deepest path of rungs with a stack of their own.
-pub const DEEPEST: u32 = 1_000_000;
-
-/// A path went deeper than a rung allows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Error {
-    /// More reflections than a rung's stack holds.
-    #[error("a path has more than {deepest} reflections, which this rung's stack does not hold")]
-    TooDeep {
-        /// Reflections that are allowed.
-        deepest: u32,
-    },
-    /// The engine's stacks would pass its limit.
-    #[error(transparent)]
-    StackFull(#[from] StackFull),
-}
 
 /// Renders a view into a film of its size, on rayon's current threads.
 ///

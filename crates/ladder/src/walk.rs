@@ -2,7 +2,8 @@
 //!
 //! Both are the reference's operations. A rung decides nothing but when they happen.
 
-use catoptric_reference::trace::{Ray, Tracer};
+use catoptric_reference::ray::Ray;
+use catoptric_reference::trace::Tracer;
 use catoptric_scene::{Compiled, Counts};
 use glam::Vec3;
 

@@ -1,24 +1,11 @@
-//! The recursion in f64: the same files, compiled a second time with other numbers under the
+//! The recursion in f64: the same folder, compiled a second time with other numbers under the
 //! names `Real` and `Vec3`. For studies of accuracy; [`truth`](crate::truth) is apart from both.
-#![expect(clippy::duplicate_mod, reason = "the same operations in f64, and no second source")]
 
-#[path = "ball.rs"]
-mod ball;
-#[path = "flat.rs"]
-mod flat;
-#[path = "path.rs"]
-pub mod path;
-#[path = "power.rs"]
-mod power;
-#[path = "render.rs"]
-mod render;
-#[path = "textbook.rs"]
-mod textbook;
-#[path = "trace.rs"]
-pub mod trace;
+#[expect(clippy::duplicate_mod, reason = "the same operations in f64, and no second source")]
+#[path = "recursion/mod.rs"]
+mod recursion;
 
-pub use power::power;
-pub use render::render;
+pub use recursion::{path, power, ray, render, trace};
 
 /// What the recursion's numbers are here.
 mod real {

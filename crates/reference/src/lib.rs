@@ -1,28 +1,21 @@
 //! The ray tracer as a workshop writes it: a recursion over mirrors, in f32. [`double`] is the
 //! same recursion in f64.
 //!
-//! This is the specification. Read [`trace`](mod@trace) first; then the shapes in the order
-//! `textbook`, `ball`, `flat`. The packet engine does the same operations in the same order,
+//! This is the specification. Read [`trace`](mod@trace) first; then the shapes beside it in the
+//! order `textbook`, `ball`, `flat`. The packet engine does the same operations in the same order,
 //! so its picture has the same bits; where the two differ, one of them is wrong.
 //!
 //! Arithmetic: every + - * / and square root is rounded once, in the order written; dot
 //! products are (x + y) + z; nothing is fused. A comparison with NaN is false, and the
 //! formulas are written so that a NaN distance is a miss.
 
-mod ball;
 mod depth;
 pub mod double;
-mod flat;
-pub mod path;
-mod power;
-mod render;
-mod textbook;
-pub mod trace;
+mod recursion;
 pub mod truth;
 
 pub use depth::{DEPTH_ALLOWED, STACK_BYTES, TooDeep};
-pub use power::power;
-pub use render::render;
+pub use recursion::{path, power, ray, render, trace};
 
 /// What the recursion's numbers are. In [`double`] the same names mean f64.
 mod real {

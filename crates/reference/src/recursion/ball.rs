@@ -13,8 +13,8 @@
 
 use catoptric_scene::Ball;
 
+use super::ray::{Ray, Surface, not_behind, positive};
 use super::real::{Real, Vec3};
-use super::trace::{Ray, Surface, not_behind, positive};
 
 /// Distance to the ball, if the ray meets it. `own`: the ray starts on this ball.
 ///

@@ -3,8 +3,9 @@
 
 use catoptric_scene::Compiled;
 
+use super::ray::{Hit, Ray, Surface};
 use super::real::{Real, Vec3};
-use super::trace::{Hit, Ray, Surface, Tracer};
+use super::trace::Tracer;
 
 /// What a ray met.
 #[derive(Clone, Debug)]

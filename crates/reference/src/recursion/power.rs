@@ -2,8 +2,8 @@
 
 use catoptric_scene::{Power, Scalar};
 
+use super::ray::positive;
 use super::real::{Bits, Real, consts};
-use super::trace::positive;
 
 /// max(0, x)^p for x at most 1 (rounding above it is cut); 0^0 is 1.
 ///

@@ -5,8 +5,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use catoptric_scene::{Compiled, Counts, Film, Grid};
 use rayon::prelude::*;
 
+use super::ray::Ray;
 use super::real::{Real, Vec3};
-use super::trace::{Ray, Tracer};
+use super::trace::Tracer;
 use crate::depth::TooDeep;
 
 /// Renders a view into a film of its size, on rayon's current threads.

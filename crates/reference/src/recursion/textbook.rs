@@ -6,8 +6,8 @@
 
 use catoptric_scene::{TextbookPlane, TextbookSphere};
 
+use super::ray::{Ray, Surface};
 use super::real::{Real, Vec3};
-use super::trace::{Ray, Surface};
 
 /// The workshop's offset, in units of the vector that it multiplies.
 const OFFSET: Real = 1e-4;

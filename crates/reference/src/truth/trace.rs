@@ -5,12 +5,12 @@ use std::cmp::Ordering;
 
 use catoptric_scene::{Counts, DepthCount};
 
+use super::depth::{DEPTH_ALLOWED, TooDeep};
 use super::meet::{Hit, Ray};
 use super::model::{Light, Model, Shape};
 use super::power::power;
 use super::real::Real;
 use super::vector::Vector;
-use super::{DEPTH_ALLOWED, TooDeep};
 
 impl<T: Real> Model<T> {
     /// What a ray sees: the local colour where it ends, plus k times what the mirrored ray
