@@ -1,6 +1,6 @@
 //! Single rays through the formulas: any ray, not only those of a picture.
 
-use catoptric_reference::{double, path, trace};
+use catoptric_reference::{double, path, ray};
 use catoptric_scene::{Compiled, Draft};
 use glam::DVec3;
 
@@ -62,7 +62,7 @@ impl Rays {
         match self {
             Self::F32(scene) => {
                 let (origin, direction) = (narrow(origin), narrow(direction));
-                let steps = path::follow(scene, trace::Ray { origin, direction, left });
+                let steps = path::follow(scene, ray::Ray { origin, direction, left });
                 let met = |step: path::Step| Met {
                     primitive: step.primitive,
                     distance: step.distance.into(),
@@ -75,7 +75,7 @@ impl Rays {
             }
             Self::F64(scene) => {
                 let (origin, direction) = (DVec3::from(origin), DVec3::from(direction));
-                let ray = double::trace::Ray { origin, direction, left };
+                let ray = double::ray::Ray { origin, direction, left };
                 let met = |step: double::path::Step| Met {
                     primitive: step.primitive,
                     distance: step.distance,
