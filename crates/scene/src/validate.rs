@@ -85,12 +85,16 @@ fn validate_bodies(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
         let found = format!("{bodies} spheres and planes");
         return Err(Fault::new(spheres, found, format!("at most {MOST_BODIES} of them")));
     }
+
+    // Materials that no body so far has.
     let mut unseen = vec![true; draft.materials.len()];
     for (place, body) in draft.bodies().enumerate() {
         let trail = match body {
             Body::Sphere(_) => spheres.index(place),
             Body::Plane(_) => planes.index(place - draft.spheres.len()),
         };
+
+        // Where it stands and how large it is.
         match body {
             Body::Sphere(sphere) => {
                 triple(trail.key("center"), sphere.center, &COORDINATE)?;
@@ -101,6 +105,8 @@ fn validate_bodies(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
                 direction(trail.key("normal"), plane.normal)?;
             }
         }
+
+        // What it is made of: checked once, with the first body that states it.
         let id = body.material();
         let Some(stated) = draft.materials.get(id) else {
             let found = format!("the id of material {}", id.index());
@@ -114,6 +120,8 @@ fn validate_bodies(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
             material(trail, stated, brightest)?;
         }
     }
+
+    // What only a program can state: neither named nor of a body.
     let materials = Trail::Root.key("materials");
     for (id, stated) in draft.materials.iter().filter(|(id, _)| unseen[id.index()]) {
         material(materials.index(id.index()), stated, brightest)?;
