@@ -3,7 +3,7 @@
 use std::process::Command;
 
 use catoptric_scene::family::{Corridor, Kissing, Lattice, Random, Room, Sphereflake};
-use catoptric_scene::{Document, Draft, Scene, SceneFormat};
+use catoptric_scene::{Body, Document, Draft, Scene, SceneFormat};
 
 use crate::program::{CATOPTRIC, Folder};
 use crate::refusals::refused;
@@ -39,6 +39,21 @@ fn scene(name: &str, bytes: &[u8], format: SceneFormat) -> Draft {
     scene.into_draft()
 }
 
+/// What a draft says, with each body's material in place of its number: a file numbers materials in
+/// the order in which it states them.
+fn stated(draft: &Draft) -> String {
+    let Draft { image, camera, render, lights, .. } = draft;
+    format!("{image:?} {camera:?} {render:?} {lights:?} {}", bodies(draft))
+}
+
+fn bodies(draft: &Draft) -> String {
+    let material = |body: Body| draft.materials.get(body.material()).copied();
+    let materials: Vec<_> = draft.bodies().map(material).collect();
+    let spheres: Vec<_> = draft.spheres.iter().map(|s| (s.center, s.radius)).collect();
+    let planes: Vec<_> = draft.planes.iter().map(|p| (p.point, p.normal)).collect();
+    format!("{spheres:?} {planes:?} {materials:?}")
+}
+
 #[test]
 fn defaults_are_the_library_s() {
     for (family, expected) in families() {
@@ -46,7 +61,8 @@ fn defaults_are_the_library_s() {
         let ran = folder.done(&format!("generate {family}"));
         assert_eq!((ran.text(), ran.stderr.lines().count()), ("", 1), "{family}");
         let made = folder.read(&format!("{family}.toml"));
-        assert_eq!(scene(family, &made, SceneFormat::Toml), expected, "{family}");
+        let made = scene(family, &made, SceneFormat::Toml);
+        assert!(stated(&made) == stated(&expected), "{family}");
         assert_eq!(folder.contents().len(), 2, "{family} left something");
     }
 }
@@ -63,7 +79,8 @@ fn formats_and_places_hold_the_same_scene() {
 
         folder.done(&format!("generate {family} --seed 4 -q --format json"));
         let json = folder.read(&format!("{family}.json"));
-        assert_eq!(scene(family, &json, SceneFormat::Json), expected, "{family}");
+        let from_json = scene(family, &json, SceneFormat::Json);
+        assert!(stated(&from_json) == stated(&expected), "{family}");
         folder.done(&format!("generate {family} --seed 4 -o A.TOML"));
         assert_eq!(folder.read("A.TOML"), toml.stdout, "{family}");
         folder.done(&format!("generate {family} --seed 4 -o b.json"));
@@ -82,7 +99,7 @@ fn another_seed_is_another_file_and_options_stand_above_the_family() {
         let made = scene(family, &made.stdout, SceneFormat::Toml);
         assert_eq!((made.image.width, made.image.height, made.render.max_depth), (31, 17, 9));
         assert_eq!(made.camera, draft.camera, "{family}");
-        assert_ne!(made.spheres, draft.spheres, "{family}");
+        assert!(bodies(&made) != bodies(&draft), "{family}");
     }
 }
 
