@@ -8,6 +8,19 @@
 //! Arithmetic: every + - * / and square root is rounded once, in the order written; dot
 //! products are (x + y) + z; nothing is fused. A comparison with NaN is false, and the
 //! formulas are written so that a NaN distance is a miss.
+//!
+//! ```
+//! use catoptric_scene::{Compiled, Document, Film, Grid, SceneFormat, View};
+//!
+//! let text = b"[[lights]]\nposition = [0, 20, 0]\n
+//!     [[spheres]]\ncenter = [0, 0, -20]\nradius = 4\ncolor = [1.0, 0.3, 0.4]\n";
+//! let scene = Document::parse("red.toml", text, SceneFormat::Toml)?.into_scene()?;
+//! let grid = Grid::new(&View::whole(&scene));
+//! let mut film = Film::new(grid.width, grid.height);
+//! catoptric_reference::render(&Compiled::new(&scene), &grid, &mut film, &|_| ())?;
+//! assert!(film.pixels()[240 * 640 + 320][0] > 0.1);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod depth;
 pub mod double;
