@@ -145,7 +145,7 @@ fn code(file: &Path) -> Vec<String> {
 }
 
 /// All Rust files below a folder of the workspace.
-fn sources(folder: &str) -> Vec<PathBuf> {
+pub(crate) fn sources(folder: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut folders = vec![root().join(folder)];
     while let Some(folder) = folders.pop() {
