@@ -5,5 +5,6 @@ pub mod crowds;
 pub mod generate;
 pub mod identity;
 pub mod scenes;
+pub mod source;
 pub mod turned;
 pub mod unseen;

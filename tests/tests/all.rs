@@ -9,3 +9,4 @@ mod language;
 mod plan;
 mod planted;
 mod same;
+mod source;

@@ -1,321 +1,353 @@
 //! Faults planted in a copy of the engine, each of which the identity test must catch.
 //!
-//! A fault is an expression of the engine's source and what replaces it. Expressions that are gone
-//! make the test fail, so the table stays in step with the code. All faults are planted in one
-//! copy, `if fault(i) { instead } else { sound }`, built once and run with one of them at a time.
+//! A fault names a function of the engine, wherever it stands, and says which expressions in it
+//! become what, with holes for what may be called otherwise ([`Change`]). Where a function or an
+//! expression is gone the test fails, so the table stays in step with the code. All faults are
+//! planted in one copy, `if fault(i) { instead } else { sound }`, built once and run with one of
+//! them at a time.
 
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::Instant;
 
 use catoptric_tests::scenes::root;
+use catoptric_tests::source::{Change, Place, Source};
 
 /// Names the fault to the copy.
 const CHOSEN: &str = "CATOPTRIC_PLANTED_FAULT";
 
 struct Fault {
     name: &'static str,
-    file: &'static str,
-    /// Found once in the file.
-    sound: &'static str,
-    instead: &'static str,
+    /// Function that it is planted in: `name` or `Type::name`, if need be after its module.
+    function: &'static str,
+    changes: &'static [Change],
+}
+
+/// A change of the only expression of that shape.
+const fn one(find: &'static str, instead: &'static str) -> Change {
+    Change { find, nth: 0, instead }
+}
+
+/// A change of the n-th expression of that shape.
+const fn nth(nth: usize, find: &'static str, instead: &'static str) -> Change {
+    Change { find, nth, instead }
 }
 
 const FAULTS: &[Fault] = &[
     Fault {
         name: "another order of operations in a dot product",
-        file: "simd/vec3.rs",
-        sound: "self.x * other.x + self.y * other.y + self.z * other.z",
-        instead: "self.x * other.x + (self.y * other.y + self.z * other.z)",
+        function: "Vec3::dot",
+        changes: &[one("$a + $b + $c", "$a + ($b + $c)")],
     },
     Fault {
         name: "a fused multiply-add where the levels are folded",
-        file: "trace/stack.rs",
-        sound: "local + back * reflectance",
-        instead: "{ use catoptric_scene::Scalar; let fuse = |a: L, b: L, c: L| { let (a, b, c) = \
+        function: "fold",
+        changes: &[one(
+            "$local + $back * $k",
+            "{ use catoptric_scene::Scalar; let fuse = |a: L, b: L, c: L| { let (a, b, c) = \
             (a.to_array(), b.to_array(), c.to_array()); L::from_array(std::array::from_fn(\
             |i| Scalar::rounded(a[i].to_f64().mul_add(b[i].to_f64(), c[i].to_f64())))) }; \
-            let k = reflectance; Vec3 { x: fuse(back.x, k, local.x), \
-            y: fuse(back.y, k, local.y), z: fuse(back.z, k, local.z) } }",
+            Vec3 { x: fuse($back.x, $k, $local.x), y: fuse($back.y, $k, $local.y), \
+            z: fuse($back.z, $k, $local.z) } }",
+        )],
     },
     Fault {
         name: "a fused multiply-add in a ball's discriminant",
-        file: "shape/robust_sphere.rs",
-        sound: "self.radius_squared - from_center",
-        instead: "{ let (p, q, r) = (x.x.to_array(), x.y.to_array(), x.z.to_array()); \
+        function: "RobustSphere::perpendicular",
+        changes: &[one(
+            "$x.dot($x)",
+            "{ let (p, q, r) = ($x.x.to_array(), $x.y.to_array(), $x.z.to_array()); \
             let sum = L::from_array(p) * L::from_array(p) + L::from_array(q) * L::from_array(q); \
             let (sum, f) = (sum.to_array(), catoptric_scene::Scalar::to_f64); \
-            let _ = from_center; self.radius_squared - L::from_array(std::array::from_fn(\
+            L::from_array(std::array::from_fn(\
             |i| catoptric_scene::Scalar::rounded(f(r[i]).mul_add(f(r[i]), f(sum[i]))))) }",
+        )],
     },
     Fault {
         name: "lanes off by one",
-        file: "trace/tile.rs",
-        sound: "columns[lane.min(live - 1) * self.samples + i]",
-        instead: "columns[(lane + 1).min(live - 1) * self.samples + i]",
+        function: "Tile::trace",
+        changes: &[one("$lane.min($last)", "($lane + 1).min($last)")],
     },
     Fault {
         name: "a tie broken the other way",
-        file: "trace/nearest.rs",
-        sound: "found.met & found.t.lt(best)",
-        instead: "found.met & found.t.le(best)",
+        function: "take",
+        changes: &[one("$t.lt($best)", "$t.le($best)")],
     },
     Fault {
         name: "a lost tail lane",
-        file: "trace/nearest.rs",
-        sound: "Mask::first(queue.live(packet))",
-        instead: "Mask::first(queue.live(packet) - 1)",
+        function: "NearestHits::forget_idle",
+        changes: &[one("Mask::first($live)", "Mask::first($live - 1)")],
     },
     Fault {
         name: "levels rounded in place of truncated",
-        file: "simd/avx2.rs",
-        sound: "_mm256_cvttps_epi32(lanes.0)",
-        instead: "_mm256_cvtps_epi32(lanes.0)",
+        function: "Avx2<__m256>::bytes",
+        changes: &[one("_mm256_cvttps_epi32($x)", "_mm256_cvtps_epi32($x)")],
     },
     Fault {
         name: "a product with the reciprocal in place of a quotient",
-        file: "simd/vec3.rs",
-        sound: "Self { x: self.x / divisor, y: self.y / divisor, z: self.z / divisor }",
-        instead: "self * (L::constant(1.0) / divisor)",
+        function: "Vec3::div",
+        changes: &[one("$body", "self * (L::constant(1.0) / $1)")],
     },
     Fault {
         name: "another form of a quotient by a root",
-        file: "shape/robust_sphere.rs",
-        sound: "self.radius / x.length()",
-        instead: "self.radius * (L::constant(1.0) / x.length())",
+        function: "RobustSphere::arm",
+        changes: &[one("$r / $x.length()", "$r * (L::constant(1.0) / $x.length())")],
     },
     Fault {
         name: "a mirrored direction that is not made a unit vector again",
-        file: "trace/shade.rs",
-        sound: "v * (L::constant(1.5) - L::constant(0.5) * v.dot(v))",
-        instead: "v",
+        function: "reflected",
+        changes: &[one("$v * ($a - $b * $v.dot($v))", "$v")],
     },
     Fault {
         name: "the primitive just left is met again",
-        file: "shape/foot.rs",
-        sound: "on_self.or_nan(self.discriminant)",
-        instead: "self.discriminant",
+        function: "Foot::without",
+        changes: &[one("$own.or_nan($x)", "$x")],
     },
     Fault {
         name: "a ray exactly at the cut is lost",
-        file: "trace/shade.rs",
-        sound: "product.ge(L::splat(min_weight))",
-        instead: "product.gt(L::splat(min_weight))",
+        function: "spawn_reflected",
+        changes: &[one("$product.ge($cut)", "$product.gt($cut)")],
     },
     Fault {
         name: "a hidden lamp shines",
-        file: "trace/light.rs",
-        sound: "light.hidden",
-        instead: "false",
+        function: "add_light",
+        changes: &[one("$lamp.hidden", "false")],
     },
     Fault {
         name: "lamps summed in another order",
-        file: "trace/shade.rs",
-        sound: "lights.iter().zip(&*ends)",
-        instead: "lights.iter().rev().copied().collect::<Vec<_>>().leak().iter().zip(&*ends)",
+        function: "Shade::visit",
+        changes: &[one(
+            "$lamps.iter().zip(&*$ends).enumerate()",
+            "$lamps.iter().rev().copied().collect::<Vec<_>>().leak().iter().zip(&*$ends).enumerate()",
+        )],
     },
     Fault {
         name: "a ball left out of a tile that shows its rim",
-        file: "cull/tile.rs",
-        sound: "self.axis.dot(*axis) >= self.cos * cos - self.sin * sin - MARGIN",
-        instead: "self.axis.dot(*axis) >= self.cos * cos - self.sin * sin + 1e-5",
+        function: "TileCone::meets",
+        changes: &[one(
+            "$axes >= $a * $b - $c * $d - $margin",
+            "$axes >= $a * $b - $c * $d + 1e-5",
+        )],
     },
     Fault {
         name: "a flat left out of a tile that shows its horizon",
-        file: "cull/tile.rs",
-        sound: "self.axis.dot(*axis) >= -self.sin - MARGIN",
-        instead: "self.axis.dot(*axis) >= 1e-3 - self.sin",
+        function: "TileCone::meets",
+        changes: &[one("$axes >= -$sin - $margin", "$axes >= 1e-3 - $sin")],
     },
     Fault {
         name: "a shadow ray that is not counted",
-        file: "trace/light.rs",
-        sound: "(faces.bits() & ((1 << at.live) - 1)).count_ones()",
-        instead: "if light.hidden { 0 } else { (faces.bits() & ((1 << at.live) - 1)).count_ones() }",
+        function: "add_light",
+        changes: &[one("$bits.count_ones()", "($bits & 0x7f).count_ones()")],
     },
     Fault {
         name: "a ball left out of a shadow that its rim grazes",
-        file: "cull/shadow.rs",
-        sound: "v.dot(v).gt(limit)",
-        instead: "v.dot(v).gt(limit * L::constant(0.9999))",
+        function: "Occluders::find",
+        changes: &[one("$v.dot($v).gt($limit)", "$v.dot($v).gt($limit * L::constant(0.9999))")],
     },
     Fault {
         name: "a cone of shadow that its ball stands out of",
-        file: "cull/shadow.rs",
-        sound: "(radius + POINT * light.length()) / distance + SPREAD",
-        instead: "radius / distance * 0.999",
+        function: "Cone::new",
+        changes: &[one("($radius + $by) / $distance + $spread", "$radius / $distance * 0.999")],
     },
     Fault {
         name: "bounds on a shadow's way that forget what its start is rounded by",
-        file: "trace/hit_groups.rs",
-        sound: "radius + POINT * (center.length() + radius)",
-        instead: "radius",
+        function: "HitGroups::bounds",
+        changes: &[one("$radius + POINT * ($by + $radius)", "$radius")],
     },
     Fault {
         name: "a small surface close to the eye, from afar by the form for its neighbourhood",
-        file: "shape/general_sphere.rs",
-        sound: "far.select(one - across.dot(across), near)",
-        instead: "near",
+        function: "GeneralSphere::discriminant",
+        changes: &[one("$far.select($a, $near)", "$near")],
     },
     Fault {
         name: "a ball's normal from its distance",
-        file: "shape/robust_sphere.rs",
-        sound: "x - rays.direction * (g + s)",
-        instead: "{ let _ = (g, s); x * (self.radius / x.length()) }",
+        function: "RobustSphere::arm",
+        changes: &[one(
+            "$x - $d * ($g + $s)",
+            "{ let _ = ($g, $s); $x * (self.radius / $x.length()) }",
+        )],
     },
     Fault {
         name: "a lamp seen from a ball's point as it is rounded",
-        file: "trace/light.rs",
-        sound: "position - Vec3::from_arrays(&group.arm)",
-        instead: "Vec3::splat(light.position) - shape.point(Vec3::from_arrays(&group.arm))",
+        function: "add_light",
+        changes: &[
+            one("$shape.relative($light)", "$light"),
+            one("$from - Vec3::from_arrays($arm)", "$from - $1.point(Vec3::from_arrays($arm))"),
+        ],
     },
     Fault {
         name: "a cone of shadow that holds beyond its reach",
-        file: "trace/shadow.rs",
-        sound: "far | reached::<L>(cones, number, points)",
-        instead: "reached::<L>(cones, number, points)",
+        function: "shadows_side_by_side",
+        changes: &[one(
+            "$far | reached::<L>($cones, $n, $points)",
+            "reached::<L>($cones, $n, $points)",
+        )],
     },
     Fault {
         name: "a horizon left out of the shadow that it casts",
-        file: "shape/horizon.rs",
-        sound: "least > Self::MARGIN * far * (curvature * (q.length() + radius) + lean.length())",
-        instead: "least > -0.1 * far * (curvature * (q.length() + radius) + lean.length())",
+        function: "Horizon::is_left",
+        changes: &[one("$least > Self::MARGIN * $far * $by", "$least > -0.1 * $far * $by")],
     },
     Fault {
         name: "a surface with a highlight and nothing else that no lamp lights",
-        file: "trace/shade.rs",
-        sound: "material.is_unlit()",
-        instead: "{ let [r, ..]: [S; 3] = material.diffuse.into(); r == S::ZERO }",
+        function: "Shade::visit",
+        changes: &[one(
+            "$m.is_unlit()",
+            "{ let [r, ..]: [S; 3] = $m.diffuse.into(); r == S::ZERO }",
+        )],
     },
     Fault {
         name: "a cut by weight that ends paths one reflection early",
-        file: "plan/reflections.rs",
-        sound: "return depth",
-        instead: "return depth.saturating_sub(1)",
+        function: "reflections_by",
+        changes: &[nth(2, "return $depth", "return $depth.saturating_sub(1)")],
     },
     Fault {
         name: "bounds that forget all lanes but one",
-        file: "trace/hit_groups.rs",
-        sound: "if b > most { b } else { most }",
-        instead: "b",
+        function: "HitGroups::bounds",
+        changes: &[nth(1, "if $b > $most { $b } else { $most }", "$b")],
     },
     Fault {
         name: "a mirrored ray that goes back to another pixel",
-        file: "trace/regroup.rs",
-        sound: "self.slots[to] = slots[lane]",
-        instead: "self.slots[to] = slots[0]",
+        function: "Regroup::add",
+        changes: &[one("$group.slots[$to] = $slots[$from]", "$group.slots[$to] = $slots[0]")],
     },
     Fault {
         name: "a single ray with another's distance",
-        file: "trace/hit_groups.rs",
-        sound: "nearest.distance.gather(slots)",
-        instead: "nearest.distance.gather(|_| slots(0))",
+        function: "HitGroups::collect",
+        changes: &[one("$met.distance.gather($slots)", "$met.distance.gather(|_| $slots(0))")],
     },
     Fault {
         name: "rays of two materials owed to one",
-        file: "trace/pending.rs",
-        sound: "Self(slot.0 & !Self::FLAG).at(material)",
-        instead: "Self(if packet { slot.0 & !Self::FLAG } else { slot.0 }).at(material)",
+        function: "ReturnSlot::each",
+        changes: &[one(
+            "$owed & !Self::FLAG",
+            "if Self::packet($1).is_some() { $owed & !Self::FLAG } else { $owed }",
+        )],
     },
     Fault {
         name: "a primitive that some packet met is forgotten there",
-        file: "trace/nearest.rs",
-        sound: "met |= 1 << i",
-        instead: "met |= 1 << (i / 2)",
+        function: "Test::one_pass",
+        changes: &[one("$found |= 1 << $i", "$found |= 1 << ($i / 2)")],
     },
     Fault {
         name: "a ball that not all rays of a packet meet is forgotten there",
-        file: "trace/nearest.rs",
-        sound: "u64::from(foot.met().any())",
-        instead: "u64::from(foot.met().all())",
+        function: "Test::two_passes",
+        changes: &[one("$met.any()", "$met.all()")],
     },
     Fault {
         name: "a lane without a ray whose colour its first lane gets",
-        file: "ray/column.rs",
-        sound: "LANES - 1 - i",
-        instead: "i",
+        function: "Vec3Column::scatter",
+        changes: &[one("LANES - 1 - $i", "$i")],
     },
     Fault {
         name: "rays that met nothing keep an earlier ray's colour",
-        file: "trace/wavefront.rs",
-        sound: "count.hits < count.rays",
-        instead: "count.hits + (LANES as u64) < count.rays",
+        function: "trace_bounce",
+        changes: &[one("$count.hits < $count.rays", "$count.hits + (LANES as u64) < $count.rays")],
     },
     Fault {
         name: "packets that left two primitives taken for one's",
-        file: "ray/queue.rs",
-        sound: "from != self.from_last",
-        instead: "from != self.from_last && self.len == 0",
+        function: "RayQueue::add",
+        changes: &[one("$1 != $last", "$1 != $last && self.len == 0")],
     },
     Fault {
         name: "a ball left out that stands out of the one around it",
-        file: "plan/nested.rs",
-        sound: "outer.0.distance(center) + radius + gap < outer.1",
-        instead: "outer.0.distance(center) + radius - gap < outer.1",
+        function: "inside",
+        changes: &[one("$d + $r + $gap < $outer", "$d + $r - $gap < $outer")],
     },
     Fault {
         name: "f64 only: the lower half in place of the upper one",
-        file: "simd/avx2.rs",
-        sound: "(low | high << 4).cast_unsigned()",
-        instead: "{ let _ = high; (low | low << 4).cast_unsigned() }",
+        function: "Avx2<Halves>::signs",
+        changes: &[one("$low | $high << 4", "{ let _ = $high; $low | $low << 4 }")],
     },
     Fault {
         name: "f64 only: a comparison that takes the equal",
-        file: "simd/avx2.rs",
-        sound: "Mask(Self(halves!(_mm256_cmp_pd::<_CMP_LT_OQ>; self.0, other.0)))",
-        instead: "Mask(Self(halves!(_mm256_cmp_pd::<_CMP_LE_OQ>; self.0, other.0)))",
+        function: "Avx2<Halves>::lt",
+        changes: &[one("$body", "self.le($1)")],
     },
     Fault {
         name: "f64 only: a series as short as f32's",
-        file: "simd/power.rs",
-        sound: "horner(L::Scalar::EXP2_SERIES, f)",
-        instead: "horner(&L::Scalar::EXP2_SERIES[..8], f)",
+        function: "exp2",
+        changes: &[one("horner($series, $f)", "horner(&$series[..8], $f)")],
     },
     Fault {
         name: "f64 only: the formulas' numbers rounded to f32",
-        file: "simd/lanes.rs",
-        sound: "Self::splat(Scalar::rounded(x))",
-        instead: "Self::splat(Scalar::rounded(<f32 as Scalar>::rounded(x).to_f64()))",
+        function: "Lanes::constant",
+        changes: &[one(
+            "$body",
+            "Self::splat(Scalar::rounded(<f32 as Scalar>::rounded($1).to_f64()))",
+        )],
     },
 ];
 
 #[test]
 fn every_fault_has_its_place() {
+    let engine = Source::new(&root().join("crates/core/src"));
     for fault in FAULTS {
-        let file = root().join("crates/core/src").join(fault.file);
-        let source = fs::read_to_string(file).expect("the engine's source");
-        assert_eq!(source.matches(fault.sound).count(), 1, "{}: {:?}", fault.file, fault.sound);
+        assert!(!places(&engine, fault).is_empty());
     }
+}
+
+/// Where a fault is planted.
+fn places(engine: &Source, fault: &Fault) -> Vec<Place> {
+    let place = |change| match engine.place(fault.function, change) {
+        Ok(place) => place,
+        Err(why) => panic!("{}: {why}", fault.name),
+    };
+    fault.changes.iter().map(place).collect()
 }
 
 #[test]
 #[ignore = "builds the engine once more and runs it once a fault, minutes; .ci/run asks for it"]
 fn every_planted_fault_is_caught() {
-    let copy = tempfile::tempdir().expect("a temporary folder");
-    copy_workspace(copy.path());
-    plant(&copy.path().join("crates/core/src"));
-    let program = build(copy.path());
+    let folder = target().join("planted");
+    let copy = folder.join("workspace");
+    if copy.exists() {
+        fs::remove_dir_all(&copy).expect("the last copy is ours");
+    }
+    fs::create_dir_all(&copy).expect("a folder beside the other builds");
+    copy_workspace(&copy);
+    plant(&copy.join("crates/core/src"));
+    let program = build(&copy, &folder.join("target"));
     let mut missed = Vec::new();
     for (fault, i) in FAULTS.iter().zip(1..) {
-        let caught = run_identity(&program, copy.path(), i);
-        println!("{}: {}", fault.name, caught.as_deref().unwrap_or("not caught"));
+        let start = Instant::now();
+        let caught = run_identity(&program, &copy, i);
+        let seconds = start.elapsed().as_secs_f64();
+        println!("{} ({seconds:.1} s): {}", fault.name, caught.as_deref().unwrap_or("not caught"));
         if caught.is_none() {
             missed.push(fault.name);
         }
     }
     assert!(missed.is_empty(), "not caught: {missed:#?}");
-    let caught = run_identity(&program, copy.path(), 0);
+    let caught = run_identity(&program, &copy, 0);
     assert_eq!(caught, None, "the copy without a fault passes");
 }
 
 /// Plants all faults, none of them chosen.
 fn plant(source: &Path) {
+    let engine = Source::new(source);
+    let mut all: Vec<(u32, Place)> = Vec::new();
     for (fault, i) in FAULTS.iter().zip(1..) {
-        let file = source.join(fault.file);
-        let text = fs::read_to_string(&file).expect("the engine's source");
-        let Fault { sound, instead, .. } = fault;
-        let both = format!("(if crate::fault({i}) {{ {instead} }} else {{ {sound} }})");
-        fs::write(&file, text.replace(sound, &both)).expect("the copy is ours");
+        all.extend(places(&engine, fault).into_iter().map(|place| (i, place)));
+    }
+    // From the last one of a file on, so that the others stay where they are.
+    all.sort_by_key(|(_, place)| (place.file.clone(), place.range.start));
+    for pair in all.windows(2) {
+        let [(_, a), (_, b)] = pair else { unreachable!("windows of two") };
+        assert!(a.file != b.file || a.range.end <= b.range.start, "{a:?} and {b:?} overlap");
+    }
+    for (i, Place { file, range, sound, instead }) in all.into_iter().rev() {
+        let file = source.join(file);
+        let mut text = fs::read_to_string(&file).expect("the engine's source");
+        let both = if sound.starts_with('{') {
+            format!("{{ if crate::fault({i}) {{ {instead} }} else {sound} }}")
+        } else {
+            format!("(if crate::fault({i}) {{ {instead} }} else {{ {sound} }})")
+        };
+        text.replace_range(range, &both);
+        fs::write(&file, text).expect("the copy is ours");
     }
     let file = source.join("lib.rs");
     let lib = fs::read_to_string(&file).expect("the engine's source");
@@ -327,10 +359,15 @@ fn plant(source: &Path) {
     fs::write(&file, lib + &chosen).expect("the copy is ours");
 }
 
-/// Builds the tests of a copy; their program. Libraries are shared with the running build.
-fn build(workspace: &Path) -> PathBuf {
+/// The folder that this test was built into.
+fn target() -> PathBuf {
     let program = std::env::current_exe().expect("the test has a file");
-    let target = program.ancestors().nth(3).expect("target/release/deps/all");
+    program.ancestors().nth(3).expect("target/release/deps/all").to_owned()
+}
+
+/// Builds the tests of a copy; their program. In a folder of its own: a later build would take the
+/// copy's libraries for its own.
+fn build(workspace: &Path, target: &Path) -> PathBuf {
     let output = Command::new(env!("CARGO"))
         .args(["test", "--release", "--offline", "-p", "catoptric-tests", "--test", "all"])
         .args(["--no-run", "--message-format", "json-render-diagnostics"])

@@ -7,33 +7,42 @@ use std::process::Command;
 use catoptric_ladder::{Event, FORWARD, RUNGS, Rung};
 use catoptric_scene::{Compiled, Crop, Grid, View};
 use catoptric_tests::scenes;
+use catoptric_tests::source::Source;
 
 use crate::comparison::{rungs, watched};
 use crate::native_stack::bytes_a_mirror;
 
 const README: &str = include_str!("../README.md");
 
-/// Lines without indentation, so that a part of a function can be shown.
-fn lines(text: &str) -> Vec<&str> {
-    text.lines().map(str::trim).collect()
-}
-
-/// Files are named as in `src`, those of another crate from the folder of all crates.
+/// A block starts with its crate, and the function or type that it shows whole, wherever that
+/// stands. `CATOPTRIC_BLESS=1` writes the blocks anew.
 #[test]
 fn shows_the_code_as_it_is() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let blocks: Vec<&str> = README.split("```rust\n").skip(1).collect();
-    assert!(blocks.len() > 10, "the README shows code");
-    for block in blocks {
-        let (block, _) = block.split_once("```").expect("a block ends");
-        let (file, shown) = block.split_once('\n').expect("a block starts with its file");
-        let file = file.strip_prefix("// ").expect("a block starts with its file");
-        let place = if file.contains('/') { folder.join("..") } else { folder.join("src") };
-        let source = fs::read_to_string(place.join(file)).expect(file);
-        let (shown, source) = (lines(shown), lines(&source));
-        let found = source.windows(shown.len()).any(|part| part == shown);
-        assert!(found, "{file} does not hold\n{}", shown.join("\n"));
+    let sources = ["ladder", "core"]
+        .map(|name| (name, Source::new(&folder.join("..").join(name).join("src"))));
+    let mut parts = README.split("```rust\n");
+    let mut written = parts.next().expect("words come first").to_owned();
+    let mut blocks = 0;
+    for part in parts {
+        let (block, words) = part.split_once("```").expect("a block ends");
+        let head = block.lines().next().expect("a block starts with what it shows");
+        let of = head.strip_prefix("// ").and_then(|shown| shown.split_once(": "));
+        let (shown, name) = of.expect("a block starts with what it shows");
+        let source =
+            sources.iter().find(|(name, _)| *name == shown).expect("a crate that is shown");
+        let code = source.1.text(name).unwrap_or_else(|why| panic!("{why}"));
+        written += &format!("```rust\n{head}\n{code}```{words}");
+        blocks += 1;
     }
+    assert!(blocks > 10, "the README shows code");
+    if std::env::var_os("CATOPTRIC_BLESS").is_some() {
+        fs::write(folder.join("README.md"), &written).expect("the README can be written");
+        return;
+    }
+    let differ = README.lines().zip(written.lines()).zip(1..).find(|((a, b), _)| a != b);
+    assert_eq!(differ, None, "README.md shows other code; CATOPTRIC_BLESS=1 writes it anew");
+    assert_eq!(README, written);
 }
 
 /// The cells of a rung's row, the first table's.
