@@ -30,22 +30,22 @@ pub fn forms() -> Vec<Form> {
         Form {
             name: "ball",
             draft: concentric(-20.0, |i| 10.0 - step(i)),
-            is: |s| matches!(s, Shape::Ball(b) if !b.is_around()),
+            is: |s| matches!(s, Shape::RobustSphere(b) if !b.encloses_eye()),
         },
         Form {
             name: "ball-around",
             draft: concentric(-1.0, |i| 3.0 + step(i)),
-            is: |s| matches!(s, Shape::Ball(b) if b.is_around()),
+            is: |s| matches!(s, Shape::RobustSphere(b) if b.encloses_eye()),
         },
         Form {
             name: "flat-plane",
             draft: planes(),
-            is: |s| matches!(s, Shape::Flat(f) if f.curvature == 0.0),
+            is: |s| matches!(s, Shape::GeneralSphere(f) if f.curvature == 0.0),
         },
         Form {
             name: "flat-sphere",
             draft: concentric(-1e4 - 1.0, |i| 1e4 - step(i)),
-            is: |s| matches!(s, Shape::Flat(f) if f.curvature > 0.0),
+            is: |s| matches!(s, Shape::GeneralSphere(f) if f.curvature > 0.0),
         },
         Form {
             name: "textbook-sphere",

@@ -221,7 +221,7 @@ impl Reader {
 }
 
 /// Where an item starts that may have a visibility.
-fn start(visibility: &syn::Visibility, rest: impl Spanned) -> usize {
+fn start(visibility: &syn::Visibility, rest: &impl Spanned) -> usize {
     let rest = rest.span().byte_range().start;
     match visibility {
         syn::Visibility::Inherited => rest,
@@ -277,12 +277,12 @@ impl<'ast> Visit<'ast> for Reader {
 
     fn visit_item_enum(&mut self, item: &'ast syn::ItemEnum) {
         let end = item.brace_token.span.close().byte_range().end;
-        self.add(&item.ident, start(&item.vis, item.enum_token)..end);
+        self.add(&item.ident, start(&item.vis, &item.enum_token)..end);
     }
 
     fn visit_item_struct(&mut self, item: &'ast syn::ItemStruct) {
         let end = item.span().byte_range().end;
-        self.add(&item.ident, start(&item.vis, item.struct_token)..end);
+        self.add(&item.ident, start(&item.vis, &item.struct_token)..end);
     }
 }
 

@@ -139,10 +139,10 @@ fn the_workshop_is_known() {
     let (compiled, grid) = (Compiled::new(&scene), Grid::new(&View::whole(&scene)));
     let plan = Plan::new(&compiled, &grid);
     let features = Features {
-        balls: 4,
+        spheres: 4,
         large_spheres: 1,
         mirrors: 4,
-        lamps: 1,
+        lights: 1,
         highlight: true,
         samples: 1,
         ..Features::default()

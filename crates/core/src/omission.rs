@@ -59,7 +59,7 @@ impl Omission {
             Self::Directions => {
                 "no mirrored direction where neither highlight nor mirror needs one"
             }
-            Self::Shadows => "no shadow ray where a surface sends back no lamp's light",
+            Self::Shadows => "no shadow ray where a surface sends back no light's light",
         }
     }
 

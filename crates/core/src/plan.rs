@@ -17,7 +17,7 @@ use crate::shape::{Kind, facts};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Features {
     /// Spheres computed from centre and radius.
-    pub balls: usize,
+    pub spheres: usize,
     /// Large spheres, computed from their height.
     pub large_spheres: usize,
     /// Planes.
@@ -28,12 +28,12 @@ pub struct Features {
     pub nested: usize,
     /// Primitives whose mirror factor is above 0.
     pub mirrors: usize,
-    /// Lamps that some primitive does not hide from all that can be seen.
-    pub lamps: usize,
-    /// Lamps that one does hide. They light nothing.
-    pub hidden_lamps: usize,
-    /// Some lamp's channels differ.
-    pub coloured_lamps: bool,
+    /// Lights that some primitive does not hide from all that can be seen.
+    pub lights: usize,
+    /// Lights that one does hide. They light nothing.
+    pub hidden_lights: usize,
+    /// Some light's channels differ.
+    pub coloured_lights: bool,
     /// Some material has a highlight.
     pub highlight: bool,
     /// Some highlight's exponent is not a whole number up to 1024.
@@ -67,9 +67,9 @@ impl<'a, S: Scalar> Plan<'a, S> {
         let applies = |omission: &Omission| match omission {
             Omission::Nested => features.nested > 0,
             Omission::Tiles => robust,
-            Omission::Occluders => robust && features.lamps > 0,
+            Omission::Occluders => robust && features.lights > 0,
             Omission::Directions => scene.materials.iter().any(|m| m.specular <= S::ZERO),
-            Omission::Shadows => features.lamps > 0 && scene.materials.iter().any(Phong::is_unlit),
+            Omission::Shadows => features.lights > 0 && scene.materials.iter().any(Phong::is_unlit),
         };
         let omissions = Omission::ALL.into_iter().filter(applies).collect();
         Self { scene, grid, features, depth: depth(scene), omissions, nested }
@@ -146,7 +146,7 @@ impl Features {
         for primitive in &scene.primitives {
             let shape = facts(&primitive.shape);
             match shape.kind() {
-                Kind::Sphere => these.balls += 1,
+                Kind::Sphere => these.spheres += 1,
                 Kind::LargeSphere => these.large_spheres += 1,
                 Kind::Plane => these.planes += 1,
             }
@@ -154,11 +154,11 @@ impl Features {
             let material = &scene.materials[primitive.material as usize];
             these.mirrors += usize::from(material.mirror > S::ZERO);
         }
-        for lamp in &scene.lights {
-            these.lamps += usize::from(!lamp.hidden);
-            these.hidden_lamps += usize::from(lamp.hidden);
-            let [r, g, b] = lamp.intensity.into();
-            these.coloured_lamps |= r != g || g != b;
+        for light in &scene.lights {
+            these.lights += usize::from(!light.hidden);
+            these.hidden_lights += usize::from(light.hidden);
+            let [r, g, b] = light.intensity.into();
+            these.coloured_lights |= r != g || g != b;
         }
         for material in &scene.materials {
             these.highlight |= material.specular > S::ZERO;

@@ -33,7 +33,7 @@ pub enum Event {
         primitive: usize,
         /// From the ray's origin, in multiples of |direction|.
         distance: f32,
-        /// The light that the lamps send back from there.
+        /// The light that the lights send back from there.
         local: Vec3,
         /// The mirror factor.
         k: f32,

@@ -2,7 +2,7 @@
 //! same recursion in f64.
 //!
 //! This is the specification. Read [`trace`](mod@trace) first; then the shapes beside it in the
-//! order `textbook`, `ball`, `flat`. The packet engine does the same operations in the same order,
+//! order `textbook`, `robust_sphere`, `general_sphere`. The packet engine does the same operations in the same order,
 //! so its picture has the same bits; where the two differ, one of them is wrong.
 //!
 //! Arithmetic: every + - * / and square root is rounded once, in the order written; dot

@@ -4,7 +4,7 @@
 //! Everything that is subtracted and turned here is so in double-double, so a scene far from the
 //! origin, or turned against the world's axes, compiles to the same constants as the same scene
 //! around it, as far as f64 could state it. Both renderers start from these constants and nothing else. What is decided
-//! here, which form and which lamps are hidden, is decided on the stated scene: it does not depend
+//! here, which form and which lights are hidden, is decided on the stated scene: it does not depend
 //! on the scalar.
 
 mod camera;
@@ -16,7 +16,7 @@ mod material;
 use std::collections::HashMap;
 
 pub use camera::{CameraAxes, EyeRays};
-pub use forms::{Ball, Flat, Shape, TextbookPlane, TextbookSphere};
+pub use forms::{GeneralSphere, RobustSphere, Shape, TextbookPlane, TextbookSphere};
 pub use material::{Phong, Power};
 
 use crate::{Draft, MaterialId, Numerics, Scalar, Scene};
@@ -25,7 +25,7 @@ use constants::{colour, nearest3, rounded3};
 /// A scene as the renderers read it: in the camera's own axes, the eye at the origin.
 #[derive(Clone, Debug)]
 pub struct Compiled<S: Scalar = f32> {
-    /// Which formulas. Robust scenes hold balls and flats, textbook scenes the others.
+    /// Which formulas. Robust scenes hold spheres and flats, textbook scenes the others.
     pub numerics: Numerics,
     /// The camera's own axes, in which everything else here is stated.
     pub axes: CameraAxes,

@@ -20,8 +20,8 @@ mod view;
 mod write;
 
 pub use compile::{
-    Ball, CameraAxes, Compiled, EyeRays, Flat, Phong, PointLight, Power, Primitive, Shape,
-    TextbookPlane, TextbookSphere,
+    CameraAxes, Compiled, EyeRays, GeneralSphere, Phong, PointLight, Power, Primitive,
+    RobustSphere, Shape, TextbookPlane, TextbookSphere,
 };
 pub use counts::{Counts, DepthCount};
 pub use double_double::DoubleDouble;

@@ -84,16 +84,16 @@ fn constants_in_f64_are_rounded_once() {
     for (sphere, primitive) in draft.spheres.iter().zip(&compiled.primitives) {
         let (c, r) = (at(sphere.center), exact(sphere.radius));
         match primitive.shape {
-            Shape::Ball(ball) => {
+            Shape::RobustSphere(ball) => {
                 assert_rounded3(ball.center, &c);
                 assert_rounded(ball.radius_squared, &(&r * &r));
             }
-            Shape::Flat(flat) => {
+            Shape::GeneralSphere(flat) => {
                 let power = dot(&c, &c) - &r * &r;
-                let side = exact(if flat.is_around() { -1.0 } else { 1.0 });
+                let side = exact(if flat.encloses_eye() { -1.0 } else { 1.0 });
                 assert_rounded(flat.curvature, &(&side / &r));
-                assert_rounded3(flat.lean, &c.map(|c| &side * c / &r));
-                assert_rounded(flat.offset, &(&side * power / &r));
+                assert_rounded3(flat.scaled_center, &c.map(|c| &side * c / &r));
+                assert_rounded(flat.cocurvature, &(&side * power / &r));
             }
             _ => unreachable!("robust"),
         }
@@ -102,10 +102,10 @@ fn constants_in_f64_are_rounded_once() {
     let plane = draft.planes[0];
     let normal = unit(&plane.normal.map(exact));
     let height = dot(&normal, &minus(EYE, plane.point));
-    let Shape::Flat(flat) = compiled.primitives[2].shape else { unreachable!("a plane") };
+    let Shape::GeneralSphere(flat) = compiled.primitives[2].shape else { unreachable!("a plane") };
     let side = exact(if height < exact(0.0) { 1.0 } else { -1.0 });
-    assert_rounded3(flat.lean, &turned(&camera, &normal.map(|x| &side * x)));
-    assert_rounded(flat.offset, &(exact(-2.0) * side * height));
+    assert_rounded3(flat.scaled_center, &turned(&camera, &normal.map(|x| &side * x)));
+    assert_rounded(flat.cocurvature, &(exact(-2.0) * side * height));
 }
 
 #[test]
@@ -129,8 +129,8 @@ fn the_camera_in_f64_is_rounded_once() {
 /// The numbers of a shape, its kind first.
 fn numbers<S: Scalar>(shape: &Shape<S>) -> Vec<f64> {
     let (kind, vector, scalars) = match *shape {
-        Shape::Ball(b) => (0, b.center, vec![b.radius, b.radius_squared, b.side]),
-        Shape::Flat(f) => (1, f.lean, vec![f.curvature, f.offset]),
+        Shape::RobustSphere(b) => (0, b.center, vec![b.radius, b.radius_squared, b.side]),
+        Shape::GeneralSphere(f) => (1, f.scaled_center, vec![f.curvature, f.cocurvature]),
         Shape::TextbookSphere(s) => (2, s.center, vec![s.radius]),
         Shape::TextbookPlane(p) => (3, p.normal, vec![p.offset]),
     };

@@ -75,15 +75,15 @@ impl Planned {
         let omitted = plan.omissions().iter().map(|omission| omission.name()).collect();
         let features = plan.features();
         let features = Used {
-            balls: features.balls,
+            balls: features.spheres,
             large_spheres: features.large_spheres,
             planes: features.planes,
             around: features.around,
             nested: features.nested,
             mirrors: features.mirrors,
-            lamps: features.lamps,
-            hidden_lamps: features.hidden_lamps,
-            coloured_lamps: features.coloured_lamps,
+            lamps: features.lights,
+            hidden_lamps: features.hidden_lights,
+            coloured_lamps: features.coloured_lights,
             highlight: features.highlight,
             fractional_shininess: features.fractional_shininess,
             weight_cut: features.cut,

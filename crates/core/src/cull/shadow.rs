@@ -298,7 +298,7 @@ mod tests {
 
     /// Lights, spheres and samples of scenes small and large.
     #[test]
-    fn cones_take_memory_by_lamps_and_balls_and_not_by_both() {
+    fn cones_take_memory_by_lights_and_balls_and_not_by_both() {
         for lights in [0, 1, 2, 10, 1000, 100_000] {
             for spheres in [0, 1, 5, 100, 20_000, 1_000_000] {
                 for samples in [1, 512, 640 * 480, 1 << 30] {

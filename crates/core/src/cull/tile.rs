@@ -8,7 +8,7 @@
 //! u = 6e-8, an eye ray's direction is within 8u of the exact one, for each of its components is
 //! rounded for itself. The vector from a sphere's centre to the foot of the
 //! perpendicular is within 10u |c|, and its square and r^2 within 4u relative; a large sphere's slope
-//! is within 4u |lean|. In f64 they are off by 2^-29 of that: the same bounds hold all the more.
+//! is within 4u |scaled_center|. In f64 they are off by 2^-29 of that: the same bounds hold all the more.
 
 use catoptric_scene::{Compiled, EyeRays, Scalar, Shape};
 use glam::DVec3;

@@ -1,21 +1,21 @@
-//! Balls that may hold others, by place.
+//! Spheres that may hold others, by place.
 //!
-//! A ball whose radius is in an octave, [2^e, 2^(e+1)), stands in the cell of its centre in a grid
-//! of cells of side 2^(e+2). One that holds a ball of radius r around c by a gap has its centre
+//! A sphere whose radius is in an octave, [2^e, 2^(e+1)), stands in the cell of its centre in a grid
+//! of cells of side 2^(e+2). One that holds a sphere of radius r around c by a gap has its centre
 //! within R - r - gap of c, where R is the largest radius of its octave, and that is less than half a
 //! cell: it stands in one of at most two cells an axis, eight in all.
 //!
 //! Cells are found by a hash and not named: those of one hash, of any octave, are one chain. What
 //! is in the wrong cell is compared as well, which changes nothing.
 //!
-//! The bound: a ball that holds another has a radius above the gap, which is a share m of the
+//! The bound: a sphere that holds another has a radius above the gap, which is a share m of the
 //! scene's extent, and below that extent, so there are at most 1 - log2 m octaves with an edge
-//! between; a search looks up eight cells an octave and compares at most [`MOST_COMPARED`] balls.
+//! between; a search looks up eight cells an octave and compares at most [`MOST_COMPARED`] spheres.
 
 use glam::DVec3;
 
-/// Limit on the balls that are compared in a search. A search that has not found by then what holds its ball
-/// is in a crowd of balls that overlap it and do not hold it.
+/// Limit on the spheres that are compared in a search. A search that has not found by then what holds its sphere
+/// is in a crowd of spheres that overlap it and do not hold it.
 pub(crate) const MOST_COMPARED: usize = 64;
 
 /// Cells that a search looks up in an octave, at most.
@@ -23,24 +23,24 @@ pub(crate) const MOST_COMPARED: usize = 64;
 pub(crate) const CELLS: usize = 8;
 
 /// A centre and a radius.
-pub(crate) type Ball = (DVec3, f64);
+pub(crate) type Bound = (DVec3, f64);
 
-/// No ball.
+/// No sphere.
 const NONE: u32 = u32::MAX;
 
-/// Some of a list of balls.
+/// Some of a list of spheres.
 pub(crate) struct Holders<'a> {
-    balls: &'a [Ball],
+    spheres: &'a [Bound],
     gap: f64,
     /// Falling in size.
     octaves: Vec<Octave>,
-    /// The first ball of each chain, by hash.
+    /// The first sphere of each chain, by hash.
     chains: Vec<u32>,
-    /// The ball after each one.
+    /// The sphere after each one.
     next: Vec<u32>,
 }
 
-/// The balls whose radii have one exponent.
+/// The spheres whose radii have one exponent.
 struct Octave {
     exponent: u64,
     side: f64,
@@ -48,15 +48,15 @@ struct Octave {
 }
 
 impl<'a> Holders<'a> {
-    /// None of the balls, yet.
-    pub(crate) fn new(balls: &'a [Ball], gap: f64) -> Self {
-        let chains = vec![NONE; balls.len().next_power_of_two()];
-        Self { balls, gap, octaves: Vec::new(), chains, next: vec![NONE; balls.len()] }
+    /// None of the spheres, yet.
+    pub(crate) fn new(spheres: &'a [Bound], gap: f64) -> Self {
+        let chains = vec![NONE; spheres.len().next_power_of_two()];
+        Self { spheres, gap, octaves: Vec::new(), chains, next: vec![NONE; spheres.len()] }
     }
 
-    /// Adds the ball of that number, no larger than those before it.
+    /// Adds the sphere of that number, no larger than those before it.
     pub(crate) fn add(&mut self, number: u32) {
-        let (center, radius) = self.balls[number as usize];
+        let (center, radius) = self.spheres[number as usize];
         let exponent = radius.to_bits() >> 52;
         if self.octaves.last().is_none_or(|octave| octave.exponent != exponent) {
             let side = 4.0 * f64::from_bits(exponent << 52);
@@ -68,12 +68,12 @@ impl<'a> Holders<'a> {
         self.chains[chain] = number;
     }
 
-    /// Whether one of those added `holds` a ball. `step` is told of each cell that is looked up and
-    /// of each ball that is compared.
+    /// Whether one of those added `holds` a sphere. `step` is told of each cell that is looked up and
+    /// of each sphere that is compared.
     pub(crate) fn any(
         &self,
-        (center, radius): Ball,
-        holds: impl Fn(Ball) -> bool,
+        (center, radius): Bound,
+        holds: impl Fn(Bound) -> bool,
         step: &mut impl FnMut(),
     ) -> bool {
         let mut compared = 0;
@@ -99,7 +99,7 @@ impl<'a> Holders<'a> {
                     }
                     compared += 1;
                     step();
-                    if holds(self.balls[number as usize]) {
+                    if holds(self.spheres[number as usize]) {
                         return true;
                     }
                     number = self.next[number as usize];

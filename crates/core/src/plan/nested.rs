@@ -1,28 +1,28 @@
-//! Which primitives no ray can meet: balls wholly inside another ball.
+//! Which primitives no ray can meet: spheres wholly inside another sphere.
 //!
-//! A ray from outside the outer ball meets that one first, and a way to a lamp that the inner ball
+//! A ray from outside the outer sphere meets that one first, and a way to a light that the inner sphere
 //! blocks is blocked by the outer one. Both hold in the reals. So that they hold as computed, the
 //! gap between the two surfaces is above all rounding: with S as far as anything stands from the
 //! eye, origins and centres are at most 2S apart, u = 6e-8 in f32, the foot of the perpendicular is
-//! within 40u S and r^2 within 4u relative. That is as if the inner ball were up to 42u S larger
+//! within 40u S and r^2 within 4u relative. That is as if the inner sphere were up to 42u S larger
 //! and the outer one as much smaller; and distances are off by another 16u S each. Together this
 //! is below 7e-6 S.
 //!
-//! A ray that leaves the outer ball itself does not try it, but it goes outward, up to a few u, and
+//! A ray that leaves the outer sphere itself does not try it, but it goes outward, up to a few u, and
 //! never comes closer to the inner one than the gap.
 //!
 //! On a plane points are as far away as one likes, and a distance there has no last places left to
-//! tell the two apart: with one nothing is left out. Balls around the eye hold what is seen.
+//! tell the two apart: with one nothing is left out. Spheres around the eye hold what is seen.
 //!
-//! No pairs are gone through. Balls are taken by falling radius, and only one that is inside no
-//! other is kept as one that may hold others: what is inside an inner ball is inside the outer one
+//! No pairs are gone through. Spheres are taken by falling radius, and only one that is inside no
+//! other is kept as one that may hold others: what is inside an inner sphere is inside the outer one
 //! too, by the gaps of both. Those are found by place (`holders`), in a bounded number of steps a
-//! ball. Where places are so crowded that these do not suffice, a ball may be found to be inside
+//! sphere. Where places are so crowded that these do not suffice, a sphere may be found to be inside
 //! none. It is then tried like any other.
 
 use catoptric_scene::{Compiled, Numerics, Scalar};
 
-use super::holders::{Ball, Holders};
+use super::holders::{Bound, Holders};
 use crate::shape::facts;
 
 /// The least gap, in units of S.
@@ -46,28 +46,28 @@ pub(crate) fn nested<S: Scalar>(scene: &Compiled<S>) -> Vec<u32> {
     let Some(extent) = extent(scene) else { return Vec::new() };
     let shapes = (0..).zip(scene.primitives.iter().map(|p| facts(&p.shape)));
     let outside = shapes.filter(|(_, shape)| !shape.encloses_eye());
-    let balls = outside.filter_map(|(index, shape)| Some((index, shape.sphere()?)));
-    inside(balls.collect(), MARGIN * extent, &mut || ())
+    let spheres = outside.filter_map(|(index, shape)| Some((index, shape.sphere()?)));
+    inside(spheres.collect(), MARGIN * extent, &mut || ())
 }
 
-/// Which of some balls are inside another one, in ascending order. `step` is told of every cell
+/// Which of some spheres are inside another one, in ascending order. `step` is told of every cell
 /// that is looked up and of every pair that is compared.
-fn inside(mut balls: Vec<(u32, Ball)>, gap: f64, step: &mut impl FnMut()) -> Vec<u32> {
+fn inside(mut spheres: Vec<(u32, Bound)>, gap: f64, step: &mut impl FnMut()) -> Vec<u32> {
     let (mut smallest, mut largest) = (f64::INFINITY, 0.0);
-    for &(_, (_, radius)) in &balls {
+    for &(_, (_, radius)) in &spheres {
         smallest = if radius < smallest { radius } else { smallest };
         largest = if radius > largest { radius } else { largest };
     }
     let may_hold = |radius| radius > smallest + gap;
     let may_be_held = |radius| radius + gap < largest;
-    balls.retain(|&(_, (_, radius))| may_hold(radius) || may_be_held(radius));
-    balls.sort_unstable_by(|(_, a), (_, b)| b.1.total_cmp(&a.1));
-    let (indices, balls): (Vec<u32>, Vec<Ball>) = balls.into_iter().unzip();
+    spheres.retain(|&(_, (_, radius))| may_hold(radius) || may_be_held(radius));
+    spheres.sort_unstable_by(|(_, a), (_, b)| b.1.total_cmp(&a.1));
+    let (indices, spheres): (Vec<u32>, Vec<Bound>) = spheres.into_iter().unzip();
 
-    let mut holders = Holders::new(&balls, gap);
+    let mut holders = Holders::new(&spheres, gap);
     let mut inside = Vec::new();
-    for ((number, index), &(center, radius)) in (0..).zip(indices).zip(&balls) {
-        let holds = |outer: Ball| outer.0.distance(center) + radius + gap < outer.1;
+    for ((number, index), &(center, radius)) in (0..).zip(indices).zip(&spheres) {
+        let holds = |outer: Bound| outer.0.distance(center) + radius + gap < outer.1;
         if holders.any((center, radius), holds, step) {
             inside.push(index);
         } else if may_hold(radius) {
@@ -95,7 +95,7 @@ fn extent<S: Scalar>(scene: &Compiled<S>) -> Option<f64> {
 mod tests {
     use glam::DVec3;
 
-    use super::super::holders::{Ball, CELLS, MOST_COMPARED};
+    use super::super::holders::{Bound, CELLS, MOST_COMPARED};
     use super::{MARGIN, inside};
 
     /// Octaves between the gap and the extent.
@@ -116,11 +116,11 @@ mod tests {
         }
     }
 
-    /// Balls within 4 of the origin.
-    fn layouts(count: u32) -> Vec<(&'static str, Vec<Ball>)> {
+    /// Spheres within 4 of the origin.
+    fn layouts(count: u32) -> Vec<(&'static str, Vec<Bound>)> {
         let mut draws = Draws(7);
-        let mut layout = |ball: &mut dyn FnMut(f64, &mut Draws) -> Ball| {
-            (0..count).map(|i| ball(f64::from(i) / f64::from(count), &mut draws)).collect()
+        let mut layout = |sphere: &mut dyn FnMut(f64, &mut Draws) -> Bound| {
+            (0..count).map(|i| sphere(f64::from(i) / f64::from(count), &mut draws)).collect()
         };
         let up = DVec3::Y;
         vec![
@@ -190,30 +190,30 @@ mod tests {
         ]
     }
 
-    fn numbered(balls: &[Ball]) -> Vec<(u32, Ball)> {
-        (0..).zip(balls.iter().copied()).collect()
+    fn numbered(spheres: &[Bound]) -> Vec<(u32, Bound)> {
+        (0..).zip(spheres.iter().copied()).collect()
     }
 
-    /// A million balls take a bounded number of steps each, wherever they stand.
+    /// A million spheres take a bounded number of steps each, wherever they stand.
     #[test]
     fn steps_grow_with_balls_and_not_with_pairs() {
         for count in [1_000, 1_000_000] {
-            for (name, balls) in layouts(count) {
+            for (name, spheres) in layouts(count) {
                 let mut steps = 0usize;
-                inside(numbered(&balls), MARGIN * 4.0, &mut || steps += 1);
-                let most = (OCTAVES * CELLS + MOST_COMPARED) * balls.len();
-                assert!(steps <= most, "{name}: {steps} steps for {count} balls");
+                inside(numbered(&spheres), MARGIN * 4.0, &mut || steps += 1);
+                let most = (OCTAVES * CELLS + MOST_COMPARED) * spheres.len();
+                assert!(steps <= most, "{name}: {steps} steps for {count} spheres");
             }
         }
     }
 
-    /// Usual scenes take a few steps a ball.
+    /// Usual scenes take a few steps a sphere.
     #[test]
     fn atoms_take_few_steps() {
-        for (name, balls) in layouts(50_000).into_iter().take(3) {
+        for (name, spheres) in layouts(50_000).into_iter().take(3) {
             let mut steps = 0usize;
-            inside(numbered(&balls), MARGIN * 4.0, &mut || steps += 1);
-            assert!(steps <= 20 * balls.len(), "{name}: {steps} steps");
+            inside(numbered(&spheres), MARGIN * 4.0, &mut || steps += 1);
+            assert!(steps <= 20 * spheres.len(), "{name}: {steps} steps");
         }
     }
 
@@ -221,11 +221,11 @@ mod tests {
     #[test]
     fn what_is_found_is_what_pairs_say() {
         let gap = MARGIN * 4.0;
-        for (name, balls) in layouts(1_500) {
-            let found = inside(numbered(&balls), gap, &mut || ());
-            let is_inside = |a: &Ball| balls.iter().any(|b| b.0.distance(a.0) + a.1 + gap < b.1);
+        for (name, spheres) in layouts(1_500) {
+            let found = inside(numbered(&spheres), gap, &mut || ());
+            let is_inside = |a: &Bound| spheres.iter().any(|b| b.0.distance(a.0) + a.1 + gap < b.1);
             let pairs: Vec<u32> =
-                numbered(&balls).iter().filter(|(_, a)| is_inside(a)).map(|(i, _)| *i).collect();
+                numbered(&spheres).iter().filter(|(_, a)| is_inside(a)).map(|(i, _)| *i).collect();
             if name.contains("crowd") {
                 assert!(found.iter().all(|i| pairs.binary_search(i).is_ok()), "{name}");
             } else {

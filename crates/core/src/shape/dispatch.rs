@@ -18,14 +18,14 @@ pub(crate) fn dispatch<L: Lanes, V: ShapeVisitor<L>, const APART: bool>(
     visitor: V,
 ) -> V::Output {
     match shape {
-        Shape::Ball(ball) if APART && ball.is_around() => {
-            visitor.visit(Inside(RobustSphere::splat(ball)))
+        Shape::RobustSphere(sphere) if APART && sphere.encloses_eye() => {
+            visitor.visit(Inside(RobustSphere::splat(sphere)))
         }
-        Shape::Ball(ball) => visitor.visit(RobustSphere::splat(ball)),
-        Shape::Flat(flat) if APART && flat.is_around() => {
-            visitor.visit(Inside(GeneralSphere::splat(flat)))
+        Shape::RobustSphere(sphere) => visitor.visit(RobustSphere::splat(sphere)),
+        Shape::GeneralSphere(general) if APART && general.encloses_eye() => {
+            visitor.visit(Inside(GeneralSphere::splat(general)))
         }
-        Shape::Flat(flat) => visitor.visit(GeneralSphere::splat(flat)),
+        Shape::GeneralSphere(general) => visitor.visit(GeneralSphere::splat(general)),
         Shape::TextbookSphere(sphere) => visitor.visit(TextbookSphere::splat(sphere)),
         Shape::TextbookPlane(plane) => visitor.visit(TextbookPlane::splat(plane)),
     }
@@ -34,8 +34,8 @@ pub(crate) fn dispatch<L: Lanes, V: ShapeVisitor<L>, const APART: bool>(
 /// The facts of a shape.
 pub(crate) fn facts<S: Scalar>(shape: &Shape<S>) -> &dyn Facts {
     match shape {
-        Shape::Ball(ball) => ball,
-        Shape::Flat(flat) => flat,
+        Shape::RobustSphere(sphere) => sphere,
+        Shape::GeneralSphere(general) => general,
         Shape::TextbookSphere(sphere) => sphere,
         Shape::TextbookPlane(plane) => plane,
     }

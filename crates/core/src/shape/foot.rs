@@ -19,7 +19,7 @@ impl<L: Lanes> Foot<L> {
         Self { discriminant: on_self.or_nan(self.discriminant), ..self }
     }
 
-    /// The lanes that meet the ball, not around the eye.
+    /// The lanes that meet the sphere, not around the eye.
     #[inline(always)]
     pub(crate) fn met(self) -> Mask<L> {
         let zero = L::constant(0.0);

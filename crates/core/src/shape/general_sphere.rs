@@ -1,18 +1,18 @@
-//! Planes and large spheres by their height function: `reference::flat` on eight rays, lane by lane.
+//! Planes and large spheres by their height function: `reference::general_sphere` on eight rays, lane by lane.
 
-use catoptric_scene::{Flat, Numerics, Scalar};
+use catoptric_scene::{self as scene, Numerics, Scalar};
 
 use super::form::{Blocker, Facts, Inside, Kind, Shape, View};
 use super::horizon::Horizon;
 use crate::ray::{Distance, Rays};
 use crate::simd::{Lanes, Mask, Vec3, in_f64};
 
-/// The constants of `catoptric_scene::Flat`, in every lane.
+/// The constants of `catoptric_scene::GeneralSphere`, in every lane.
 #[derive(Clone, Copy)]
 pub(crate) struct GeneralSphere<L> {
     curvature: L,
-    lean: Vec3<L>,
-    offset: L,
+    scaled_center: Vec3<L>,
+    cocurvature: L,
     /// Whether the eye is inside.
     inside: bool,
     /// Whether it is a plane.
@@ -21,26 +21,26 @@ pub(crate) struct GeneralSphere<L> {
 
 impl<L: Lanes> GeneralSphere<L> {
     #[inline(always)]
-    pub(crate) fn splat(flat: &Flat<L::Scalar>) -> Self {
+    pub(crate) fn splat(general: &scene::GeneralSphere<L::Scalar>) -> Self {
         Self {
-            curvature: L::splat(flat.curvature),
-            lean: Vec3::splat(flat.lean),
-            offset: L::splat(flat.offset),
-            inside: flat.is_around(),
-            plane: flat.curvature == L::Scalar::ZERO,
+            curvature: L::splat(general.curvature),
+            scaled_center: Vec3::splat(general.scaled_center),
+            cocurvature: L::splat(general.cocurvature),
+            inside: general.encloses_eye(),
+            plane: general.curvature == L::Scalar::ZERO,
         }
     }
 
     /// N(x).
     #[inline(always)]
     fn gradient(&self, x: Vec3<L>) -> Vec3<L> {
-        x * self.curvature - self.lean
+        x * self.curvature - self.scaled_center
     }
 
-    /// 2g(x), as (N(x) - lean)·x + offset.
+    /// 2g(x), as (N(x) - scaled_center)·x + cocurvature.
     #[inline(always)]
     fn height(&self, gradient: Vec3<L>, x: Vec3<L>) -> L {
-        (gradient - self.lean).dot(x) + self.offset
+        (gradient - self.scaled_center).dot(x) + self.cocurvature
     }
 
     /// Not negative where rays meet the surface, which is not around the eye.
@@ -125,14 +125,14 @@ impl<L: Lanes> Shape<L> for Inside<GeneralSphere<L>> {
 
     #[inline(always)]
     fn distance<const EYE: bool>(&self, rays: &Rays<L>, on_self: Mask<L>) -> Option<Distance<L>> {
-        let flat = &self.0;
+        let general = &self.0;
         let zero = L::constant(0.0);
-        let gradient = flat.gradient(rays.origin);
+        let gradient = general.gradient(rays.origin);
         let slope = gradient.dot(rays.direction);
-        let height = on_self.drop(flat.height(gradient, rays.origin));
-        let root = (slope * slope - flat.curvature * height).positive().sqrt();
+        let height = on_self.drop(general.height(gradient, rays.origin));
+        let root = (slope * slope - general.curvature * height).positive().sqrt();
         let near_wall = height / (root - slope);
-        let far_wall = (root + slope) / (zero - flat.curvature);
+        let far_wall = (root + slope) / (zero - general.curvature);
         let t = slope.lt(zero).select(near_wall, far_wall).not_behind();
         Some(Distance { t, met: t.ge(zero) })
     }
@@ -154,33 +154,34 @@ impl<L: Lanes> Shape<L> for Inside<GeneralSphere<L>> {
     }
 }
 
-impl<S: Scalar> Facts for Flat<S> {
+impl<S: Scalar> Facts for scene::GeneralSphere<S> {
     fn kind(&self) -> Kind {
         if self.curvature == S::ZERO { Kind::Plane } else { Kind::LargeSphere }
     }
 
     fn encloses_eye(&self) -> bool {
-        self.is_around()
+        self.encloses_eye()
     }
 
     fn reach(&self) -> Option<f64> {
         let curvature = self.curvature.to_f64().abs();
-        (curvature != 0.0).then(|| (in_f64::<S>(self.lean).length() + 1.0) / curvature)
+        (curvature != 0.0).then(|| (in_f64::<S>(self.scaled_center).length() + 1.0) / curvature)
     }
 
     /// Only a ray that falls towards it meets it.
     fn view(&self) -> View {
-        if self.is_around() {
+        if self.encloses_eye() {
             View::Everywhere
         } else {
-            View::Half { axis: in_f64::<S>(self.lean) }
+            View::Half { axis: in_f64::<S>(self.scaled_center) }
         }
     }
 
     fn blocker(&self) -> Blocker {
         if self.curvature > S::ZERO {
-            let (lean, curvature) = (in_f64::<S>(self.lean), self.curvature.to_f64());
-            Blocker::Horizon(Horizon { lean, curvature })
+            let (scaled_center, curvature) =
+                (in_f64::<S>(self.scaled_center), self.curvature.to_f64());
+            Blocker::Horizon(Horizon { scaled_center, curvature })
         } else {
             Blocker::Nowhere
         }

@@ -6,7 +6,7 @@ use glam::DVec3;
 /// falls first.
 #[derive(Clone, Copy)]
 pub(crate) struct Horizon {
-    pub(super) lean: DVec3,
+    pub(super) scaled_center: DVec3,
     pub(super) curvature: f64,
 }
 
@@ -20,11 +20,11 @@ impl Horizon {
     /// reference's slope is off by 20u of the lengths of its terms.
     #[inline(always)]
     pub(crate) fn is_left(&self, light: DVec3, q: DVec3, radius: f64) -> bool {
-        let (lean, curvature) = (self.lean, self.curvature);
-        let gradient: DVec3 = q * curvature - lean;
+        let (scaled_center, curvature) = (self.scaled_center, self.curvature);
+        let gradient: DVec3 = q * curvature - scaled_center;
         let to_light = light - q;
         let far = to_light.length() + radius;
         let least = gradient.dot(to_light) - radius * (gradient.length() + curvature * far);
-        least > Self::MARGIN * far * (curvature * (q.length() + radius) + lean.length())
+        least > Self::MARGIN * far * (curvature * (q.length() + radius) + scaled_center.length())
     }
 }

@@ -1,6 +1,6 @@
-//! Spheres by centre and radius: `reference::ball` on eight rays, lane by lane.
+//! Spheres by centre and radius: `reference::robust_sphere` on eight rays, lane by lane.
 
-use catoptric_scene::{Ball, Numerics, Scalar};
+use catoptric_scene::{self as scene, Numerics, Scalar};
 use glam::DVec3;
 
 use super::foot::Foot;
@@ -8,7 +8,7 @@ use super::form::{Blocker, Facts, Inside, Kind, Shape, View};
 use crate::ray::{Distance, Rays};
 use crate::simd::{Lanes, Mask, Vec3, in_f64};
 
-/// The constants of `catoptric_scene::Ball`, in every lane.
+/// The constants of `catoptric_scene::RobustSphere`, in every lane.
 #[derive(Clone, Copy)]
 pub(crate) struct RobustSphere<L> {
     center: Vec3<L>,
@@ -22,13 +22,13 @@ pub(crate) struct RobustSphere<L> {
 
 impl<L: Lanes> RobustSphere<L> {
     #[inline(always)]
-    pub(crate) fn splat(ball: &Ball<L::Scalar>) -> Self {
+    pub(crate) fn splat(sphere: &scene::RobustSphere<L::Scalar>) -> Self {
         Self {
-            center: Vec3::splat(ball.center),
-            radius: L::splat(ball.radius),
-            radius_squared: L::splat(ball.radius_squared),
-            normal_scale: L::splat(ball.side) / L::splat(ball.radius),
-            inside: ball.is_around(),
+            center: Vec3::splat(sphere.center),
+            radius: L::splat(sphere.radius),
+            radius_squared: L::splat(sphere.radius_squared),
+            normal_scale: L::splat(sphere.side) / L::splat(sphere.radius),
+            inside: sphere.encloses_eye(),
         }
     }
 
@@ -130,13 +130,13 @@ impl<L: Lanes> Shape<L> for Inside<RobustSphere<L>> {
     }
 }
 
-impl<S: Scalar> Facts for Ball<S> {
+impl<S: Scalar> Facts for scene::RobustSphere<S> {
     fn kind(&self) -> Kind {
         Kind::Sphere
     }
 
     fn encloses_eye(&self) -> bool {
-        self.is_around()
+        self.encloses_eye()
     }
 
     fn sphere(&self) -> Option<(DVec3, f64)> {
@@ -148,11 +148,11 @@ impl<S: Scalar> Facts for Ball<S> {
     }
 
     fn view(&self) -> View {
-        if self.is_around() { View::Everywhere } else { View::Disc }
+        if self.encloses_eye() { View::Everywhere } else { View::Disc }
     }
 
     /// Paths stay inside of a sphere around the eye, so it stands before nothing.
     fn blocker(&self) -> Blocker {
-        if self.is_around() { Blocker::Nowhere } else { Blocker::Sphere }
+        if self.encloses_eye() { Blocker::Nowhere } else { Blocker::Sphere }
     }
 }

@@ -84,8 +84,8 @@ impl Has {
         let count = |what: fn(&Shape) -> bool| shapes.clone().filter(|shape| what(shape)).count();
         let robust = scene.render.numerics == Numerics::Robust;
         let around = count(|shape| match shape {
-            Shape::Ball(ball) => ball.is_around(),
-            Shape::Flat(flat) => flat.is_around(),
+            Shape::RobustSphere(ball) => ball.encloses_eye(),
+            Shape::GeneralSphere(flat) => flat.encloses_eye(),
             Shape::TextbookSphere(_) | Shape::TextbookPlane(_) => false,
         });
         let powers = compiled.primitives.iter().filter_map(|primitive| {
@@ -98,8 +98,12 @@ impl Has {
                 spheres: scene.spheres.len(),
                 planes: scene.planes.len(),
                 stated_twice: stated - compiled.primitives.len(),
-                balls: count(|shape| matches!(shape, Shape::Ball(_) | Shape::TextbookSphere(_))),
-                large_spheres: count(|s| matches!(s, Shape::Flat(flat) if flat.curvature != 0.0)),
+                balls: count(|shape| {
+                    matches!(shape, Shape::RobustSphere(_) | Shape::TextbookSphere(_))
+                }),
+                large_spheres: count(
+                    |s| matches!(s, Shape::GeneralSphere(flat) if flat.curvature != 0.0),
+                ),
                 around: robust.then_some(around),
             },
             mirrors: mirrors(scene),

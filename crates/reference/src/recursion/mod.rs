@@ -3,12 +3,12 @@
 
 use super::real;
 
-mod ball;
-mod flat;
+mod general_sphere;
 pub mod path;
 mod power;
 pub mod ray;
 mod render;
+mod robust_sphere;
 mod textbook;
 pub mod trace;
 

@@ -18,9 +18,9 @@ pub struct Step {
     pub distance: Real,
     /// Where that is.
     pub surface: Surface,
-    /// For each lamp in file order, whether it lights that point.
+    /// For each light in file order, whether it lights that point.
     pub lit: Vec<bool>,
-    /// Ambient light and lamps.
+    /// Ambient light and lights.
     pub local: Vec3,
     /// Whether the mirrored ray is traced. Of the last step: whether that ray met nothing.
     pub followed: bool,
@@ -58,11 +58,11 @@ pub fn follow(scene: &Compiled<Real>, mut ray: Ray) -> Vec<Step> {
 impl Tracer<'_> {
     fn lit(&self, at: &Surface) -> Vec<bool> {
         let lit = |position: Vec3, hidden: bool| {
-            let to_lamp = at.to(position);
-            let distance = to_lamp.length();
-            let l = to_lamp * (1.0 / distance);
+            let to_light = at.to(position);
+            let distance = to_light.length();
+            let l = to_light * (1.0 / distance);
             at.normal.dot(l) > 0.0 && distance > 0.0 && !hidden && !self.occluded(at, l, distance)
         };
-        self.scene.lights.iter().map(|lamp| lit(lamp.position, lamp.hidden)).collect()
+        self.scene.lights.iter().map(|light| lit(light.position, light.hidden)).collect()
     }
 }

@@ -18,8 +18,8 @@ pub struct Ray {
 pub struct Surface {
     /// The point that is lit.
     pub point: Vec3,
-    /// The point before it was rounded, as a sum: from a ball's centre, along the radius. Elsewhere
-    /// it is the point itself and 0. Lamps are seen from there: see [`Surface::to`].
+    /// The point before it was rounded, as a sum: from a sphere's centre, along the radius. Elsewhere
+    /// it is the point itself and 0. Lights are seen from there: see [`Surface::to`].
     pub anchor: Vec3,
     /// See `anchor`.
     pub arm: Vec3,
@@ -32,15 +32,15 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// The way from the point to a lamp.
+    /// The way from the point to a light.
     ///
-    /// Far from the eye the rounding of a point may be no less than the ball that it is on, and a
-    /// lamp beside it would seem to stand elsewhere. The difference of two places that are close
-    /// together is exact, so the lamp is seen from the centre, and the radius is taken off.
+    /// Far from the eye the rounding of a point may be no less than the sphere that it is on, and a
+    /// light beside it would seem to stand elsewhere. The difference of two places that are close
+    /// together is exact, so the light is seen from the centre, and the radius is taken off.
     #[inline(always)]
     #[must_use]
-    pub fn to(&self, lamp: Vec3) -> Vec3 {
-        (lamp - self.anchor) - self.arm
+    pub fn to(&self, light: Vec3) -> Vec3 {
+        (light - self.anchor) - self.arm
     }
 }
 
@@ -53,7 +53,7 @@ pub struct Hit {
     pub distance: Real,
     /// The place.
     pub surface: Surface,
-    /// The light that lamps send from there towards the ray's origin.
+    /// The light that lights send from there towards the ray's origin.
     pub local: Vec3,
     /// The mirror factor.
     pub k: Real,

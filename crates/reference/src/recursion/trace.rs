@@ -5,7 +5,7 @@
 //! 1. a ray is p = o + t d                                   (`surface` of each shape)
 //! 2. it meets a sphere where |o + t d - c|^2 = r^2          (`distance` of each shape)
 //! 3. the normal there is n = (p - c)/|p - c|                (`surface` of each shape)
-//! 4. a lamp adds I (kd colour (n·l) + ks (r·v)^p)           (`local`)
+//! 4. a light adds I (kd colour (n·l) + ks (r·v)^p)          (`local`)
 //! 5. the mirrored ray is d - 2 (d·n) n                      (`mirrored`)
 //! 6. colour = local + k · trace(mirrored ray)               (`trace`)
 
@@ -14,7 +14,7 @@ use catoptric_scene::{Compiled, Counts, Numerics, Phong, Shape};
 use super::power::power;
 use super::ray::{Hit, Ray, Surface};
 use super::real::{Real, Vec3};
-use super::{ball, flat, textbook};
+use super::{general_sphere, robust_sphere, textbook};
 use crate::depth::DEPTH_ALLOWED;
 
 /// Traces rays through one scene and counts them.
@@ -84,24 +84,24 @@ impl<'a> Tracer<'a> {
         k > 0.0 && depth < self.scene.max_depth && weight >= self.scene.min_weight
     }
 
-    /// Ambient light plus what each visible lamp adds, in file order (Phong 1975).
+    /// Ambient light plus what each visible light adds, in file order (Phong 1975).
     #[inline(always)]
     fn local(&mut self, at: &Surface, material: &Phong<Real>, mirrored: Vec3, depth: u32) -> Vec3 {
         let mut colour = material.ambient;
-        for lamp in &self.scene.lights {
-            let to_lamp = at.to(lamp.position);
-            let distance = to_lamp.length();
-            let l = to_lamp * (1.0 / distance);
+        for light in &self.scene.lights {
+            let to_light = at.to(light.position);
+            let distance = to_light.length();
+            let l = to_light * (1.0 / distance);
             let facing = at.normal.dot(l);
-            // Not so for a lamp behind the surface, nor for one at the very point, or so close
+            // Not so for a light behind the surface, nor for one at the very point, or so close
             // that the square of its distance is 0.
             if facing > 0.0 && distance > 0.0 {
                 self.counts.at(depth).shadow += 1;
-                if !lamp.hidden && !self.occluded(at, l, distance) {
+                if !light.hidden && !self.occluded(at, l, distance) {
                     // r·v, r being l mirrored about n and v = -d, equals l·(d mirrored).
                     let highlight = material.specular * power(l.dot(mirrored), material.power);
                     let diffuse = material.diffuse * facing;
-                    colour += lamp.intensity * (diffuse + Vec3::splat(highlight));
+                    colour += light.intensity * (diffuse + Vec3::splat(highlight));
                 }
             }
         }
@@ -130,8 +130,8 @@ impl<'a> Tracer<'a> {
         for (id, primitive) in self.scene.primitives.iter().enumerate() {
             let own = ray.left == Some(id);
             let distance = match &primitive.shape {
-                Shape::Ball(ball) => ball::distance(ball, ray, own),
-                Shape::Flat(flat) => flat::distance(flat, ray, own),
+                Shape::RobustSphere(sphere) => robust_sphere::distance(sphere, ray, own),
+                Shape::GeneralSphere(general) => general_sphere::distance(general, ray, own),
                 Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, ray),
                 Shape::TextbookPlane(plane) => textbook::plane_distance(plane, ray),
             };
@@ -145,15 +145,15 @@ impl<'a> Tracer<'a> {
         nearest
     }
 
-    /// Whether something stands between the surface and a lamp in direction `l`.
+    /// Whether something stands between the surface and a light in direction `l`.
     #[inline(always)]
     pub(super) fn occluded(&self, at: &Surface, l: Vec3, distance: Real) -> bool {
         let ray = Ray { origin: at.start, direction: l, left: at.left };
         for (id, primitive) in self.scene.primitives.iter().enumerate() {
             let hides = match &primitive.shape {
                 _ if at.left == Some(id) => false,
-                Shape::Ball(ball) => ball::occludes(ball, ray, distance),
-                Shape::Flat(flat) => flat::occludes(flat, ray, distance),
+                Shape::RobustSphere(sphere) => robust_sphere::occludes(sphere, ray, distance),
+                Shape::GeneralSphere(general) => general_sphere::occludes(general, ray, distance),
                 Shape::TextbookSphere(sphere) => {
                     textbook::sphere_distance(sphere, ray).is_some_and(|t| t < distance)
                 }
@@ -171,8 +171,8 @@ impl<'a> Tracer<'a> {
     #[inline(always)]
     fn surface(&self, id: usize, ray: Ray, distance: Real) -> Surface {
         match &self.scene.primitives[id].shape {
-            Shape::Ball(ball) => ball::surface(ball, ray, distance, id),
-            Shape::Flat(flat) => flat::surface(flat, ray, distance, id),
+            Shape::RobustSphere(sphere) => robust_sphere::surface(sphere, ray, distance, id),
+            Shape::GeneralSphere(general) => general_sphere::surface(general, ray, distance, id),
             Shape::TextbookSphere(sphere) => textbook::sphere_surface(sphere, ray, distance),
             Shape::TextbookPlane(plane) => textbook::plane_surface(plane, ray, distance),
         }

@@ -1,13 +1,13 @@
 //! The form of each primitive: which constants its intersection is computed from.
 //!
-//! A **ball** is computed from centre and radius. A **flat** is a plane, or a sphere whose surface is
+//! A **sphere** is computed from centre and radius. A **flat** is a plane, or a sphere whose surface is
 //! so close to the eye, for its size, that it looks like one: computed from its height function,
 //! it needs no coordinates of a centre far away. Which it is depends on the sphere and the eye
 //! alone: nothing else in the scene changes a bit of it.
 //!
-//! The points of a ball are as exact as its centre and radius, some u (|c| + r); those of a flat as
+//! The points of a sphere are as exact as its centre and radius, some u (|c| + r); those of a flat as
 //! they are far from the eye. Where the eye is at a quarter of the radius from the surface, the
-//! nearest point of a ball is off by 9 u of its distance; closer, that grows without bound.
+//! nearest point of a sphere is off by 9 u of its distance; closer, that grows without bound.
 
 use std::collections::HashSet;
 
@@ -20,9 +20,9 @@ use crate::{Body, DoubleDouble, Draft, Numerics, Plane, Scalar, Scene, Sphere};
 #[derive(Clone, Copy, Debug)]
 pub enum Shape<S: Scalar = f32> {
     /// Robust: a sphere.
-    Ball(Ball<S>),
+    RobustSphere(RobustSphere<S>),
     /// Robust: a plane or a large sphere.
-    Flat(Flat<S>),
+    GeneralSphere(GeneralSphere<S>),
     /// Textbook: a sphere.
     TextbookSphere(TextbookSphere<S>),
     /// Textbook: a plane.
@@ -31,7 +31,7 @@ pub enum Shape<S: Scalar = f32> {
 
 /// A sphere, by centre and radius.
 #[derive(Clone, Copy, Debug)]
-pub struct Ball<S: Scalar = f32> {
+pub struct RobustSphere<S: Scalar = f32> {
     /// In the camera's axes, relative to the eye.
     pub center: S::Vec3,
     /// Its radius.
@@ -45,31 +45,31 @@ pub struct Ball<S: Scalar = f32> {
 
 /// A plane, or a sphere close to the eye for its size, by its height function.
 ///
-/// Twice the height of x above it, on the eye's side: 2g(x) = curvature·|x|^2 - 2 lean·x +
-/// offset, with the gradient N(x) = curvature·x - lean, which on the surface is the unit
+/// Twice the height of x above it, on the eye's side: 2g(x) = curvature·|x|^2 - 2 scaled_center·x +
+/// cocurvature, with the gradient N(x) = curvature·x - scaled_center, which on the surface is the unit
 /// normal that faces every ray.
 #[derive(Clone, Copy, Debug)]
-pub struct Flat<S: Scalar = f32> {
+pub struct GeneralSphere<S: Scalar = f32> {
     /// 1/r for a sphere seen from outside, -1/r for one around the eye, 0 for a plane.
     pub curvature: S,
     /// c/r, or -c/r for a sphere around the eye; the negated normal for a plane.
-    pub lean: S::Vec3,
+    pub scaled_center: S::Vec3,
     /// Twice the eye's height: (|c|^2 - r^2)/r, or its negative, formed in double-double.
-    pub offset: S,
+    pub cocurvature: S,
 }
 
-impl<S: Scalar> Flat<S> {
+impl<S: Scalar> GeneralSphere<S> {
     /// Whether it is a sphere around the eye.
     #[must_use]
-    pub fn is_around(&self) -> bool {
+    pub fn encloses_eye(&self) -> bool {
         self.curvature < S::ZERO
     }
 }
 
-impl<S: Scalar> Ball<S> {
+impl<S: Scalar> RobustSphere<S> {
     /// Whether it is a sphere around the eye.
     #[must_use]
-    pub fn is_around(&self) -> bool {
+    pub fn encloses_eye(&self) -> bool {
         self.side < S::ZERO
     }
 }
@@ -96,7 +96,7 @@ pub struct TextbookPlane<S: Scalar = f32> {
 pub(super) fn shapes<S: Scalar>(scene: &Scene, axes: &CameraAxes) -> Vec<Shape<S>> {
     let robust = |body: Body<'_>| match body {
         Body::Sphere(sphere) => robust_sphere(scene, axes, sphere),
-        Body::Plane(plane) => Shape::Flat(robust_plane(scene, axes, plane)),
+        Body::Plane(plane) => Shape::GeneralSphere(robust_plane(scene, axes, plane)),
     };
     let textbook = |body: Body<'_>| match body {
         Body::Sphere(sphere) => Shape::TextbookSphere(TextbookSphere {
@@ -142,7 +142,7 @@ fn robust_sphere<S: Scalar>(scene: &Draft, axes: &CameraAxes, sphere: &Sphere) -
     let to_center = (x * x + y * y + z * z).sqrt();
     let distance = (power.to_f64() / (to_center + sphere.radius)).abs();
     if sphere.radius < FLAT_FROM * distance {
-        return Shape::Ball(Ball {
+        return Shape::RobustSphere(RobustSphere {
             center: nearest3::<S>(center),
             radius: S::rounded(sphere.radius),
             radius_squared: S::rounded(sphere.radius * sphere.radius),
@@ -150,22 +150,26 @@ fn robust_sphere<S: Scalar>(scene: &Draft, axes: &CameraAxes, sphere: &Sphere) -
         });
     }
     let side = DoubleDouble::from(if around { -1.0 } else { 1.0 });
-    Shape::Flat(Flat {
+    Shape::GeneralSphere(GeneralSphere {
         curvature: S::nearest(side / r),
-        lean: nearest3::<S>(center.map(|c| side * c / r)),
-        offset: S::nearest(side * power / r),
+        scaled_center: nearest3::<S>(center.map(|c| side * c / r)),
+        cocurvature: S::nearest(side * power / r),
     })
 }
 
 /// The normal is turned to the eye's side; an eye on the plane is where the normal points.
-fn robust_plane<S: Scalar>(scene: &Draft, axes: &CameraAxes, plane: &Plane) -> Flat<S> {
+fn robust_plane<S: Scalar>(scene: &Draft, axes: &CameraAxes, plane: &Plane) -> GeneralSphere<S> {
     let normal = exact_normal(plane);
     let height = height(plane, scene.camera.position);
     let turned = height < DoubleDouble::default();
-    let lean = if turned { normal } else { normal.map(|x| -x) };
+    let scaled_center = if turned { normal } else { normal.map(|x| -x) };
     let height = if turned { -height } else { height };
-    let lean = axes.turned(lean);
-    Flat { curvature: S::ZERO, lean: nearest3::<S>(lean), offset: S::nearest(height + height) }
+    let scaled_center = axes.turned(scaled_center);
+    GeneralSphere {
+        curvature: S::ZERO,
+        scaled_center: nearest3::<S>(scaled_center),
+        cocurvature: S::nearest(height + height),
+    }
 }
 
 /// The unit normal, as it is stated.

@@ -1,6 +1,6 @@
-//! Which lamps some primitive hides from all that the eye can see.
+//! Which lights some primitive hides from all that the eye can see.
 //!
-//! It is decided in double-double, as if every primitive were asked about every lamp. Two things
+//! It is decided in double-double, as if every primitive were asked about every light. Two things
 //! make that cheap, and change no answer:
 //!
 //! - Where f64 leaves no doubt about a sign, double-double is not asked. With u = 2^-53, the square of
@@ -8,11 +8,11 @@
 //!   of itself: the sign is right where it is further from 0 than 16u of the two squares' sum. A
 //!   height over a plane is a sum of three products, each off by 2u and added with 2u more: its sign is
 //!   right above 16u of the sum of their magnitudes. Double-double is off by less than 100u^2 of the same.
-//! - Lamps stand in a tree of boxes. A primitive that surely hides no point of a box is not asked about
-//!   the lamps in it, nor about lamps that are known to be hidden. A box counts as surely not hidden
+//! - Lights stand in a tree of boxes. A primitive that surely hides no point of a box is not asked about
+//!   the lights in it, nor about lights that are known to be hidden. A box counts as surely not hidden
 //!   only with a room of 1e-12 of the same sums, which is far above what f64 is off by.
 //!
-//! Primitives and lamps that have a product of coordinates near 1e-290, where products round to
+//! Primitives and lights that have a product of coordinates near 1e-290, where products round to
 //! less than their share, are asked in double-double.
 
 use super::forms::{power_of, scaled_height};
@@ -28,7 +28,7 @@ const ROOM: f64 = 1e-12;
 /// Below it products may be rounded by more than u of themselves.
 const FAINT: f64 = 1e-290;
 
-/// Lamps of a box that has no boxes in it, at most.
+/// Lights of a box that has no boxes in it, at most.
 const LEAF: usize = 8;
 
 /// For each light, whether some primitive stands between it and all that the eye can see.
@@ -36,25 +36,25 @@ pub(super) fn hidden(scene: &Draft) -> Vec<bool> {
     hidden_in_steps(scene, &mut || ())
 }
 
-/// [`hidden`], which tells of every box and of every lamp that a primitive is asked about.
+/// [`hidden`], which tells of every box and of every light that a primitive is asked about.
 fn hidden_in_steps(scene: &Draft, step: &mut impl FnMut()) -> Vec<bool> {
-    let mut lamps = Lamps::new(scene.lights.iter().map(|light| light.position).collect());
+    let mut lights = Lights::new(scene.lights.iter().map(|light| light.position).collect());
     let eye = scene.camera.position;
     for sphere in &scene.spheres {
-        lamps.ask(&Body::around_or_not(sphere, eye), step);
+        lights.ask(&Body::around_or_not(sphere, eye), step);
     }
     for plane in &scene.planes {
-        lamps.ask(&Half::new(plane, eye), step);
+        lights.ask(&Half::new(plane, eye), step);
     }
-    lamps.hidden
+    lights.hidden
 }
 
-/// What hides the lamps on its far side.
+/// What hides the lights on its far side.
 trait Hides {
-    /// Whether a lamp there is hidden.
-    fn hides(&self, lamp: [f64; 3]) -> bool;
+    /// Whether a light there is hidden.
+    fn hides(&self, light: [f64; 3]) -> bool;
 
-    /// Whether surely no lamp of a box is hidden.
+    /// Whether surely no light of a box is hidden.
     fn spares(&self, least: [f64; 3], most: [f64; 3]) -> bool;
 }
 
@@ -71,8 +71,8 @@ impl<'a> Body<'a> {
 }
 
 impl Hides for Body<'_> {
-    fn hides(&self, lamp: [f64; 3]) -> bool {
-        let (power, exact) = (power(self.sphere, lamp), || power_of(self.sphere, lamp));
+    fn hides(&self, light: [f64; 3]) -> bool {
+        let (power, exact) = (power(self.sphere, light), || power_of(self.sphere, light));
         if self.around { is_above(power, exact) } else { is_below(power, exact) }
     }
 
@@ -112,14 +112,14 @@ impl<'a> Half<'a> {
 }
 
 impl Hides for Half<'_> {
-    fn hides(&self, lamp: [f64; 3]) -> bool {
-        let height = height(self.normal, self.plane.point, lamp);
-        let exact = || scaled_height(self.plane, lamp);
+    fn hides(&self, light: [f64; 3]) -> bool {
+        let height = height(self.normal, self.plane.point, light);
+        let exact = || scaled_height(self.plane, light);
         if self.below { is_above(height, exact) } else { is_below(height, exact) }
     }
 
     fn spares(&self, least: [f64; 3], most: [f64; 3]) -> bool {
-        // How far the box reaches to the side where lamps are hidden.
+        // How far the box reaches to the side where lights are hidden.
         let (mut height, mut size) = (0.0, FAINT);
         for axis in 0..3 {
             let n = if self.below { self.normal[axis] } else { -self.normal[axis] };
@@ -162,11 +162,11 @@ fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// Lamps in boxes in boxes.
-struct Lamps {
+/// Lights in boxes in boxes.
+struct Lights {
     positions: Vec<[f64; 3]>,
     hidden: Vec<bool>,
-    /// Numbers of lamps, those of a box side by side.
+    /// Numbers of lights, those of a box side by side.
     order: Vec<usize>,
     /// A box, then all boxes of its lower half, then all of its upper half.
     boxes: Vec<Node>,
@@ -175,33 +175,33 @@ struct Lamps {
 struct Node {
     least: [f64; 3],
     most: [f64; 3],
-    /// Its lamps in `order`.
+    /// Its lights in `order`.
     first: usize,
     end: usize,
     /// The box after those in it.
     next: usize,
 }
 
-impl Lamps {
+impl Lights {
     fn new(positions: Vec<[f64; 3]>) -> Self {
         let count = positions.len();
-        let mut lamps = Self {
+        let mut lights = Self {
             positions,
             hidden: vec![false; count],
             order: (0..count).collect(),
             boxes: Vec::new(),
         };
         if count > 0 {
-            lamps.divide(0, count);
+            lights.divide(0, count);
         }
-        lamps
+        lights
     }
 
-    /// Adds the box of some lamps, and the boxes in it. As deep as the logarithm of their number.
+    /// Adds the box of some lights, and the boxes in it. As deep as the logarithm of their number.
     fn divide(&mut self, first: usize, end: usize) {
         let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for &lamp in &self.order[first..end] {
-            for (axis, x) in self.positions[lamp].into_iter().enumerate() {
+        for &light in &self.order[first..end] {
+            for (axis, x) in self.positions[light].into_iter().enumerate() {
                 least[axis] = if x < least[axis] { x } else { least[axis] };
                 most[axis] = larger(x, most[axis]);
             }
@@ -222,12 +222,12 @@ impl Lamps {
         self.boxes[place].next = self.boxes.len();
     }
 
-    /// Asks a primitive about all lamps that may be hidden by it.
+    /// Asks a primitive about all lights that may be hidden by it.
     fn ask(&mut self, by: &impl Hides, step: &mut impl FnMut()) {
         let mut place = 0;
         while let Some(Node { least, most, first, end, next }) = self.boxes.get(place) {
-            let lamps = &self.order[*first..*end];
-            // One box, and few lamps: to ask about each is as fast.
+            let lights = &self.order[*first..*end];
+            // One box, and few lights: to ask about each is as fast.
             if self.boxes.len() > 1 {
                 step();
                 if by.spares(*least, *most) {
@@ -237,10 +237,10 @@ impl Lamps {
             }
             place += 1;
             if place == *next {
-                for &lamp in lamps {
-                    if !self.hidden[lamp] {
+                for &light in lights {
+                    if !self.hidden[light] {
                         step();
-                        self.hidden[lamp] = by.hides(self.positions[lamp]);
+                        self.hidden[light] = by.hides(self.positions[light]);
                     }
                 }
             }
@@ -253,14 +253,14 @@ mod tests {
     use super::{DoubleDouble, hidden_in_steps, power_of, scaled_height};
     use crate::{Draft, Light, MaterialId, Plane, Sphere};
 
-    /// Every primitive, every lamp, in double-double.
+    /// Every primitive, every light, in double-double.
     fn all_pairs(scene: &Draft) -> Vec<bool> {
         let (zero, eye) = (DoubleDouble::default(), scene.camera.position);
-        let apart = |eye, lamp| if eye < zero { lamp > zero } else { lamp < zero };
+        let apart = |eye, light| if eye < zero { light > zero } else { light < zero };
         let hides = |light: &Light| {
-            let lamp = light.position;
-            let by_sphere = |s: &Sphere| apart(power_of(s, eye), power_of(s, lamp));
-            let by_plane = |p: &Plane| apart(scaled_height(p, eye), scaled_height(p, lamp));
+            let light = light.position;
+            let by_sphere = |s: &Sphere| apart(power_of(s, eye), power_of(s, light));
+            let by_plane = |p: &Plane| apart(scaled_height(p, eye), scaled_height(p, light));
             scene.spheres.iter().any(by_sphere) || scene.planes.iter().any(by_plane)
         };
         scene.lights.iter().map(hides).collect()
@@ -280,7 +280,7 @@ mod tests {
         }
     }
 
-    fn lamp(position: [f64; 3]) -> Light {
+    fn light(position: [f64; 3]) -> Light {
         Light { position, intensity: [1.0; 3] }
     }
 
@@ -288,7 +288,7 @@ mod tests {
         Sphere { center, radius, material: MaterialId::at(0) }
     }
 
-    /// Primitives through lamps and through the eye, and a hair off: where only double-double tells.
+    /// Primitives through lights and through the eye, and a hair off: where only double-double tells.
     #[test]
     fn what_is_hidden_is_what_all_pairs_say() {
         let mut draws = Draws(3);
@@ -296,7 +296,7 @@ mod tests {
         for round in 0..400 {
             let mut scene = Draft::default();
             scene.camera.position = draws.point();
-            scene.lights = (0..1 + round % 60).map(|_| lamp(draws.point())).collect();
+            scene.lights = (0..1 + round % 60).map(|_| light(draws.point())).collect();
             let scale = 10f64.powf(-8.0 * draws.next());
             for i in 0..round % 30 {
                 let through = match draws.next() {
@@ -320,26 +320,26 @@ mod tests {
                     scene.spheres.push(ball(at(radius), radius * (1.0 + off)));
                 }
             }
-            // Lamps that are the first one by all that f64 can tell.
+            // Lights that are the first one by all that f64 can tell.
             let first = scene.lights[0].position;
-            scene.lights.push(lamp(first.map(f64::next_up)));
+            scene.lights.push(light(first.map(f64::next_up)));
             let hidden = hidden_in_steps(&scene, &mut || ());
             assert_eq!(hidden, all_pairs(&scene), "round {round}: {scene:?}");
             some += usize::from(hidden.contains(&true));
             none += usize::from(hidden.contains(&false));
         }
-        assert!(some > 50 && none > 50, "{some} rounds hide a lamp, {none} leave one");
+        assert!(some > 50 && none > 50, "{some} rounds hide a light, {none} leave one");
     }
 
-    /// Steps grow with primitives and with lamps, and not with both.
+    /// Steps grow with primitives and with lights, and not with both.
     #[test]
-    fn few_lamps_are_asked_about() {
+    fn few_lights_are_asked_about() {
         let mut draws = Draws(5);
         let mut scene = Draft::default();
         scene.camera.position = [9.0; 3];
-        scene.lights = (0..1000).map(|_| lamp(draws.point())).collect();
+        scene.lights = (0..1000).map(|_| light(draws.point())).collect();
         scene.spheres = (0..20_000).map(|_| ball(draws.point(), 0.01)).collect();
-        // Around everything, and over everything: no lamp is hidden by them.
+        // Around everything, and over everything: no light is hidden by them.
         scene.spheres.extend((0..2000).map(|i| ball([0.0; 3], 100.0 + f64::from(i))));
         scene.planes = (0..2000)
             .map(|i| Plane {

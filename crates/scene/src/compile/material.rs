@@ -69,7 +69,7 @@ impl<S: Scalar> Power<S> {
 }
 
 impl<S: Scalar> Phong<S> {
-    /// Whether it sends back no light of a lamp: neither diffusely nor as a highlight.
+    /// Whether it sends back no light of a light: neither diffusely nor as a highlight.
     #[inline(always)]
     #[must_use]
     pub fn is_unlit(&self) -> bool {

@@ -11,22 +11,22 @@
 //! sphereflake from 4.9e-4 to 1.0e-4 and of spheres at 10 000 radii from 2.5e-3 to 1.3e-4, and as many
 //! operations: a root more, a root and a quotient less.
 
-use catoptric_scene::Ball;
+use catoptric_scene::RobustSphere;
 
 use super::ray::{Ray, Surface, not_behind, positive};
 use super::real::{Real, Vec3};
 
-/// Distance to the ball, if the ray meets it. `own`: the ray starts on this ball.
+/// Distance to the sphere, if the ray meets it. `own`: the ray starts on this sphere.
 ///
 /// Edge: a tangent ray hits. From outside only the near root counts, and only on the
-/// way in. A ball around the eye is always hit, at its far root; on the way from itself
+/// way in. A sphere around the eye is always hit, at its far root; on the way from itself
 /// that is the other end of the chord, 2b.
-pub(crate) fn distance(ball: &Ball<Real>, ray: Ray, own: bool) -> Option<Real> {
-    let f = ball.center - ray.origin;
+pub(crate) fn distance(sphere: &RobustSphere<Real>, ray: Ray, own: bool) -> Option<Real> {
+    let f = sphere.center - ray.origin;
     let b = f.dot(ray.direction);
     let x = ray.direction * b - f;
-    let discriminant = ball.radius_squared - x.dot(x);
-    if ball.is_around() {
+    let discriminant = sphere.radius_squared - x.dot(x);
+    if sphere.encloses_eye() {
         let s = if own { b } else { positive(discriminant).sqrt() };
         return Some(not_behind(b + s));
     }
@@ -35,34 +35,34 @@ pub(crate) fn distance(ball: &Ball<Real>, ray: Ray, own: bool) -> Option<Real> {
 
 /// Where a ray meets it at distance `t`, put back on the sphere.
 ///
-/// The rounding of `t` may be more than the radius of a small ball far away. So `t` only leads near
+/// The rounding of `t` may be more than the radius of a small sphere far away. So `t` only leads near
 /// the hit, to x from the centre: there g = x·d is how far it is past the foot of the perpendicular,
 /// and s is half the chord, r^2 less the square of the foot's distance being its square. The hit is
-/// at -s: from the centre, x - (g + s) d. A ball around the eye is as large as the way to it, so that
+/// at -s: from the centre, x - (g + s) d. A sphere around the eye is as large as the way to it, so that
 /// `t` is as good as that, and takes less.
-pub(crate) fn surface(ball: &Ball<Real>, ray: Ray, t: Real, id: usize) -> Surface {
-    let x = ray.direction * t - (ball.center - ray.origin);
-    let arm = if ball.is_around() {
-        x * (ball.radius / x.length())
+pub(crate) fn surface(sphere: &RobustSphere<Real>, ray: Ray, t: Real, id: usize) -> Surface {
+    let x = ray.direction * t - (sphere.center - ray.origin);
+    let arm = if sphere.encloses_eye() {
+        x * (sphere.radius / x.length())
     } else {
         let g = x.dot(ray.direction);
-        let s = positive(ball.radius_squared - x.dot(x) + g * g).sqrt();
+        let s = positive(sphere.radius_squared - x.dot(x) + g * g).sqrt();
         x - ray.direction * (g + s)
     };
-    let point = ball.center + arm;
-    let normal = arm * (ball.side / ball.radius);
-    Surface { point, anchor: ball.center, arm, normal, start: point, left: Some(id) }
+    let point = sphere.center + arm;
+    let normal = arm * (sphere.side / sphere.radius);
+    Surface { point, anchor: sphere.center, arm, normal, start: point, left: Some(id) }
 }
 
-/// Whether it stands between a point outside of it and a lamp outside of it, at `distance`
+/// Whether it stands between a point outside of it and a light outside of it, at `distance`
 /// in direction `ray.direction`.
 ///
-/// No root is needed: with both ends outside, the segment meets the ball exactly if the
-/// foot of the perpendicular lies within the segment and within the ball. A ball around the
-/// eye holds all points and lamps (but hidden ones) and is convex: it hides none from another.
-pub(crate) fn occludes(ball: &Ball<Real>, ray: Ray, distance: Real) -> bool {
-    let f = ball.center - ray.origin;
+/// No root is needed: with both ends outside, the segment meets the sphere exactly if the
+/// foot of the perpendicular lies within the segment and within the sphere. A sphere around the
+/// eye holds all points and lights (but hidden ones) and is convex: it hides none from another.
+pub(crate) fn occludes(sphere: &RobustSphere<Real>, ray: Ray, distance: Real) -> bool {
+    let f = sphere.center - ray.origin;
     let b = f.dot(ray.direction);
     let x: Vec3 = ray.direction * b - f;
-    !ball.is_around() && b > 0.0 && b < distance && x.dot(x) <= ball.radius_squared
+    !sphere.encloses_eye() && b > 0.0 && b < distance && x.dot(x) <= sphere.radius_squared
 }

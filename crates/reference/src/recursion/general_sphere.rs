@@ -1,7 +1,7 @@
 //! A plane, or a sphere so large that it looks like one, robust numerics.
 //!
-//! With 2g(x) = curvature·|x|^2 - 2 lean·x + offset, twice the height over the surface, and
-//! N = curvature·o - lean its gradient at the ray's origin, the ray o + t d meets it where
+//! With 2g(x) = curvature·|x|^2 - 2 scaled_center·x + cocurvature, twice the height over the surface, and
+//! N = curvature·o - scaled_center its gradient at the ray's origin, the ray o + t d meets it where
 //! curvature·t^2 + 2 (N·d) t + 2g(o) = 0. All coefficients are of the size of the scene
 //! around the eye, however large the sphere. A plane is the case of curvature 0.
 //!
@@ -11,26 +11,26 @@
 //! curvature·2g(o). A sphere that is small against the way to it needs that: |N| is that way over
 //! the radius, and the other form would lose its square.
 
-use catoptric_scene::Flat;
+use catoptric_scene::GeneralSphere;
 
 use super::ray::{Ray, Surface, not_behind, positive};
 use super::real::{Real, Vec3};
 
 /// Distance to the surface, if the ray meets it. `own`: the ray starts on this surface.
 ///
-/// Edge: as for a ball. The root is formed from whichever of its two expressions does not
+/// Edge: as for a sphere. The root is formed from whichever of its two expressions does not
 /// cancel.
-pub(crate) fn distance(flat: &Flat<Real>, ray: Ray, own: bool) -> Option<Real> {
-    let (gradient, height) = gradient_and_height(flat, ray.origin);
+pub(crate) fn distance(general: &GeneralSphere<Real>, ray: Ray, own: bool) -> Option<Real> {
+    let (gradient, height) = gradient_and_height(general, ray.origin);
     let slope = gradient.dot(ray.direction);
-    if flat.is_around() {
+    if general.encloses_eye() {
         let height = if own { 0.0 } else { height };
-        let root = positive(slope * slope - flat.curvature * height).sqrt();
+        let root = positive(slope * slope - general.curvature * height).sqrt();
         let t =
-            if slope < 0.0 { height / (root - slope) } else { (root + slope) / -flat.curvature };
+            if slope < 0.0 { height / (root - slope) } else { (root + slope) / -general.curvature };
         return Some(not_behind(t));
     }
-    let discriminant = discriminant(flat, gradient, height, ray.direction);
+    let discriminant = discriminant(general, gradient, height, ray.direction);
     (!own && slope < 0.0 && discriminant >= 0.0)
         .then(|| not_behind(height / (discriminant.sqrt() - slope)))
 }
@@ -39,34 +39,39 @@ pub(crate) fn distance(flat: &Flat<Real>, ray: Ray, own: bool) -> Option<Real> {
 ///
 /// Inside a sphere rays meet it again and again, and the rounding of their points would add up
 /// until they have left it: there the point is put back, by one Newton step down its height.
-pub(crate) fn surface(flat: &Flat<Real>, ray: Ray, t: Real, id: usize) -> Surface {
+pub(crate) fn surface(general: &GeneralSphere<Real>, ray: Ray, t: Real, id: usize) -> Surface {
     let mut point = ray.origin + ray.direction * t;
-    if flat.is_around() {
-        let (gradient, height) = gradient_and_height(flat, point);
+    if general.encloses_eye() {
+        let (gradient, height) = gradient_and_height(general, point);
         point -= gradient * (0.5 * height);
     }
-    let normal = point * flat.curvature - flat.lean;
+    let normal = point * general.curvature - general.scaled_center;
     Surface { point, anchor: point, arm: Vec3::ZERO, normal, start: point, left: Some(id) }
 }
 
-/// Whether it stands between a point on the eye's side and a lamp on that side, at
+/// Whether it stands between a point on the eye's side and a light on that side, at
 /// `distance` in direction `ray.direction`.
 ///
-/// As for a ball, without a root: the height falls at the point, rises at the lamp, and is
+/// As for a sphere, without a root: the height falls at the point, rises at the light, and is
 /// not positive at its least between. For a plane the slope never changes, so it hides none;
 /// neither does a sphere around the eye.
-pub(crate) fn occludes(flat: &Flat<Real>, ray: Ray, distance: Real) -> bool {
-    let (gradient, height) = gradient_and_height(flat, ray.origin);
+pub(crate) fn occludes(general: &GeneralSphere<Real>, ray: Ray, distance: Real) -> bool {
+    let (gradient, height) = gradient_and_height(general, ray.origin);
     let slope = gradient.dot(ray.direction);
-    let discriminant = discriminant(flat, gradient, height, ray.direction);
-    slope < 0.0 && -slope < flat.curvature * distance && discriminant >= 0.0
+    let discriminant = discriminant(general, gradient, height, ray.direction);
+    slope < 0.0 && -slope < general.curvature * distance && discriminant >= 0.0
 }
 
 /// Not negative where a ray in `direction` meets the surface, N and 2g being those of its origin. For
 /// a surface that is not around the eye.
-fn discriminant(flat: &Flat<Real>, gradient: Vec3, height: Real, direction: Vec3) -> Real {
+fn discriminant(
+    general: &GeneralSphere<Real>,
+    gradient: Vec3,
+    height: Real,
+    direction: Vec3,
+) -> Real {
     let slope = gradient.dot(direction);
-    let bend = flat.curvature * height;
+    let bend = general.curvature * height;
     if bend < 1.0 {
         return slope * slope - bend;
     }
@@ -74,8 +79,8 @@ fn discriminant(flat: &Flat<Real>, gradient: Vec3, height: Real, direction: Vec3
     1.0 - across.dot(across)
 }
 
-/// N(x) and 2g(x), the latter as (N(x) - lean)·x + offset.
-fn gradient_and_height(flat: &Flat<Real>, x: Vec3) -> (Vec3, Real) {
-    let gradient = x * flat.curvature - flat.lean;
-    (gradient, (gradient - flat.lean).dot(x) + flat.offset)
+/// N(x) and 2g(x), the latter as (N(x) - scaled_center)·x + cocurvature.
+fn gradient_and_height(general: &GeneralSphere<Real>, x: Vec3) -> (Vec3, Real) {
+    let gradient = x * general.curvature - general.scaled_center;
+    (gradient, (gradient - general.scaled_center).dot(x) + general.cocurvature)
 }
