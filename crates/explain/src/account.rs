@@ -114,7 +114,8 @@ impl Account {
         let compiled = Compiled::new(scene);
         let grid = Grid::new(&View::whole(scene));
         let plan = plan::Told::new(&compiled, &grid, isa).map_err(failed)?;
-        let has = Has::new(scene, &compiled);
+        let used = *Plan::new(&compiled, &grid).features();
+        let has = Has::new(scene, &compiled, &used);
         let needs = Needs::new(scene, &compiled, &has, plan.depth);
         let light = LightBounds::new(scene);
         let without_end = Compiled { max_depth: u32::MAX, ..compiled };

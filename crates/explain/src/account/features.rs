@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use catoptric_scene::{Body, Compiled, Numerics, Power, Scene, Shape};
+use catoptric_core::Features;
+use catoptric_scene::{Body, Compiled, Numerics, Power, Scene};
 use serde::Serialize;
 
 /// What it has.
@@ -78,16 +79,9 @@ pub(super) struct Needs {
 }
 
 impl Has {
-    pub(super) fn new(scene: &Scene, compiled: &Compiled) -> Self {
+    pub(super) fn new(scene: &Scene, compiled: &Compiled, used: &Features) -> Self {
         let stated = scene.spheres.len() + scene.planes.len();
-        let shapes = compiled.primitives.iter().map(|primitive| &primitive.shape);
-        let count = |what: fn(&Shape) -> bool| shapes.clone().filter(|shape| what(shape)).count();
         let robust = scene.render.numerics == Numerics::Robust;
-        let around = count(|shape| match shape {
-            Shape::RobustSphere(ball) => ball.encloses_eye(),
-            Shape::GeneralSphere(flat) => flat.encloses_eye(),
-            Shape::TextbookSphere(_) | Shape::TextbookPlane(_) => false,
-        });
         let powers = compiled.primitives.iter().filter_map(|primitive| {
             let material = &compiled.materials[primitive.material as usize];
             (material.specular > 0.0).then_some(material.power)
@@ -98,13 +92,9 @@ impl Has {
                 spheres: scene.spheres.len(),
                 planes: scene.planes.len(),
                 stated_twice: stated - compiled.primitives.len(),
-                balls: count(|shape| {
-                    matches!(shape, Shape::RobustSphere(_) | Shape::TextbookSphere(_))
-                }),
-                large_spheres: count(
-                    |s| matches!(s, Shape::GeneralSphere(flat) if flat.curvature != 0.0),
-                ),
-                around: robust.then_some(around),
+                balls: used.spheres,
+                large_spheres: used.large_spheres,
+                around: robust.then_some(used.around),
             },
             mirrors: mirrors(scene),
             highlights: Highlights { whole, fractional: powers.count() - whole },

@@ -9,6 +9,7 @@ mod power;
 pub mod ray;
 mod render;
 mod robust_sphere;
+mod shape;
 mod textbook;
 pub mod trace;
 

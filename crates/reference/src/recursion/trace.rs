@@ -9,12 +9,12 @@
 //! 5. the mirrored ray is d - 2 (d·n) n                      (`mirrored`)
 //! 6. colour = local + k · trace(mirrored ray)               (`trace`)
 
-use catoptric_scene::{Compiled, Counts, Numerics, Phong, Shape};
+use catoptric_scene::{Compiled, Counts, Numerics, Phong};
 
 use super::power::power;
 use super::ray::{Hit, Ray, Surface};
 use super::real::{Real, Vec3};
-use super::{general_sphere, robust_sphere, textbook};
+use super::shape;
 use crate::depth::DEPTH_ALLOWED;
 
 /// Traces rays through one scene and counts them.
@@ -129,12 +129,7 @@ impl<'a> Tracer<'a> {
         let mut best = Real::INFINITY;
         for (id, primitive) in self.scene.primitives.iter().enumerate() {
             let own = ray.left == Some(id);
-            let distance = match &primitive.shape {
-                Shape::RobustSphere(sphere) => robust_sphere::distance(sphere, ray, own),
-                Shape::GeneralSphere(general) => general_sphere::distance(general, ray, own),
-                Shape::TextbookSphere(sphere) => textbook::sphere_distance(sphere, ray),
-                Shape::TextbookPlane(plane) => textbook::plane_distance(plane, ray),
-            };
+            let distance = shape::distance(&primitive.shape, ray, own);
             if let Some(t) = distance
                 && t < best
             {
@@ -150,17 +145,8 @@ impl<'a> Tracer<'a> {
     pub(super) fn occluded(&self, at: &Surface, l: Vec3, distance: Real) -> bool {
         let ray = Ray { origin: at.start, direction: l, left: at.left };
         for (id, primitive) in self.scene.primitives.iter().enumerate() {
-            let hides = match &primitive.shape {
-                _ if at.left == Some(id) => false,
-                Shape::RobustSphere(sphere) => robust_sphere::occludes(sphere, ray, distance),
-                Shape::GeneralSphere(general) => general_sphere::occludes(general, ray, distance),
-                Shape::TextbookSphere(sphere) => {
-                    textbook::sphere_distance(sphere, ray).is_some_and(|t| t < distance)
-                }
-                Shape::TextbookPlane(plane) => {
-                    textbook::plane_distance(plane, ray).is_some_and(|t| t < distance)
-                }
-            };
+            let left = at.left == Some(id);
+            let hides = !left && shape::occludes(&primitive.shape, ray, distance);
             if hides {
                 return true;
             }
@@ -170,11 +156,6 @@ impl<'a> Tracer<'a> {
 
     #[inline(always)]
     fn surface(&self, id: usize, ray: Ray, distance: Real) -> Surface {
-        match &self.scene.primitives[id].shape {
-            Shape::RobustSphere(sphere) => robust_sphere::surface(sphere, ray, distance, id),
-            Shape::GeneralSphere(general) => general_sphere::surface(general, ray, distance, id),
-            Shape::TextbookSphere(sphere) => textbook::sphere_surface(sphere, ray, distance),
-            Shape::TextbookPlane(plane) => textbook::plane_surface(plane, ray, distance),
-        }
+        shape::surface(&self.scene.primitives[id].shape, ray, distance, id)
     }
 }
