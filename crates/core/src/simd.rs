@@ -6,8 +6,12 @@ mod bits;
 mod dispatch;
 mod isa;
 mod lanes;
+#[cfg(test)]
+pub(crate) mod numbers;
 mod portable;
 mod power;
+#[cfg(test)]
+mod tests;
 mod vec3;
 
 pub(crate) use dispatch::{Kernel, run};
