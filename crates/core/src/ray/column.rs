@@ -142,3 +142,84 @@ impl<S: Lane> Vec3Column<S> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Column, PACKETS, RAYS, Vec3Column};
+    use crate::simd::numbers::{Numbers, TestScalar, isas};
+    use crate::simd::{Kernel, LANES, Lanes, Packed, Vec3, run};
+
+    /// Writes eight vectors to slots, and reads eight others.
+    struct Move<'a, S> {
+        column: &'a mut Vec3Column<S>,
+        vectors: Packed<S>,
+        to: [usize; LANES],
+        from: [usize; LANES],
+    }
+
+    impl<S: TestScalar> Kernel for Move<'_, S> {
+        type Scalar = S;
+        type Output = Packed<S>;
+
+        #[inline(always)]
+        fn run<L: Lanes<Scalar = S>>(self) -> Packed<S> {
+            self.column.scatter(|lane| self.to[lane], Vec3::<L>::from_arrays(&self.vectors));
+            self.column.gather::<L>(|lane| self.from[lane]).to_arrays()
+        }
+    }
+
+    /// The column as a plain list; where two lanes are the same ray's, the first one's counts.
+    fn check<S: TestScalar>(slots: usize) {
+        let mut numbers = Numbers::new(12);
+        for isa in isas() {
+            let mut column = Vec3Column::<S>::zero();
+            let mut plain = [[S::ZERO; 3]; RAYS];
+            for _ in 0..300 {
+                let vectors = std::array::from_fn(|_| numbers.eight());
+                let first = numbers.below(RAYS - slots + 1);
+                let to = std::array::from_fn(|_| first + numbers.below(slots));
+                let from: [usize; LANES] = std::array::from_fn(|_| numbers.below(RAYS));
+                let read = run(isa, Move { column: &mut column, vectors, to, from });
+                for lane in (0..LANES).rev() {
+                    plain[to[lane]] = vectors.map(|component| component[lane]);
+                }
+                for (lane, &slot) in from.iter().enumerate() {
+                    let found = read.map(|component| component[lane].pattern());
+                    assert_eq!(found, plain[slot].map(S::pattern), "{isa}, slot {slot}");
+                }
+            }
+            for (slot, expected) in plain.iter().enumerate() {
+                let found = column.ray(slot).map(S::pattern);
+                assert_eq!(found, expected.map(S::pattern), "{isa}, slot {slot}");
+            }
+        }
+    }
+
+    /// Few slots, so that most are written twice; and all of them.
+    #[test]
+    fn vectors_are_scattered_and_gathered_by_slot() {
+        for slots in [1, 2, 5, 16, RAYS] {
+            check::<f32>(slots);
+            check::<f64>(slots);
+        }
+    }
+
+    #[test]
+    fn a_ray_is_a_lane_of_its_packet() {
+        type L = <f32 as crate::simd::Lane>::Portable;
+        let mut column = Column::<f32>::of(-1.0);
+        for packet in 0..PACKETS {
+            let numbers: [f32; LANES] = std::array::from_fn(|i| (packet * LANES + i) as f32);
+            column.put(packet, L::from_array(numbers));
+        }
+        for slot in 0..RAYS {
+            assert_eq!(column.ray(slot), slot as f32);
+            assert_eq!(column.packet::<L>(slot / LANES).to_array()[slot % LANES], slot as f32);
+        }
+        let some = column.packets(3..5).as_flattened().to_vec();
+        assert_eq!(some, (24..40).map(|slot| slot as f32).collect::<Vec<_>>());
+        column.packet_mut(4)[0] = 0.5;
+        column.packets_mut(PACKETS - 1..PACKETS)[0][7] = 0.25;
+        assert_eq!((column.ray(32), column.ray(RAYS - 1)), (0.5, 0.25));
+    }
+}

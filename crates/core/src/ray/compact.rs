@@ -79,3 +79,74 @@ impl Compactor {
         (slots, LANES.min(self.len - group * LANES))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Compactor, Slot};
+    use crate::ray::{PACKETS, RAYS};
+    use crate::simd::LANES;
+    use crate::simd::numbers::Numbers;
+
+    /// The slots of some lanes of packets, one after another.
+    fn plain(added: &[(usize, u32)]) -> Vec<Slot> {
+        let lanes = |&(packet, lanes): &(usize, u32)| {
+            let set = (0..LANES).filter(move |lane| lanes >> lane & 1 != 0);
+            set.map(move |lane| (packet * LANES + lane) as Slot)
+        };
+        added.iter().flat_map(lanes).collect()
+    }
+
+    /// Adds lanes and reads the groups back: each eight of the plain list, filled up with its first.
+    fn check(compactor: &mut Compactor, added: &[(usize, u32)]) {
+        compactor.clear();
+        for &(packet, lanes) in added {
+            compactor.add(packet, lanes);
+        }
+        compactor.fill_up();
+        let plain = plain(added);
+        assert_eq!(compactor.groups(), plain.len().div_ceil(LANES), "{added:?}");
+        for (group, expected) in plain.chunks(LANES).enumerate() {
+            let (slots, live) = compactor.group(group);
+            assert_eq!(&slots[..live], expected, "{added:?}, group {group}");
+            assert!(slots[live..].iter().all(|&slot| slot == expected[0]), "{added:?}: {slots:?}");
+        }
+    }
+
+    #[test]
+    fn every_set_of_lanes_is_its_slots() {
+        let mut compactor = Compactor::new();
+        check(&mut compactor, &[]);
+        for packet in [0, 1, 31, PACKETS - 1] {
+            for lanes in 0..1 << LANES {
+                check(&mut compactor, &[(packet, lanes)]);
+            }
+        }
+    }
+
+    #[test]
+    fn single_rays_are_put_together_in_their_order() {
+        let mut numbers = Numbers::new(11);
+        let mut compactor = Compactor::new();
+        for _ in 0..2000 {
+            let mut added = Vec::new();
+            for packet in 0..PACKETS {
+                if numbers.one_in(3) {
+                    added.push((packet, numbers.below(0xff) as u32));
+                }
+            }
+            check(&mut compactor, &added);
+        }
+    }
+
+    /// Seven lanes of each packet: the most there are.
+    #[test]
+    fn a_full_tile_of_single_rays_has_room() {
+        let mut compactor = Compactor::new();
+        for missing in 0..LANES {
+            let added: Vec<_> =
+                (0..PACKETS).map(|packet| (packet, 0xff & !(1 << missing))).collect();
+            assert_eq!(plain(&added).len(), RAYS - PACKETS);
+            check(&mut compactor, &added);
+        }
+    }
+}

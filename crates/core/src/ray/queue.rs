@@ -222,3 +222,6 @@ impl<S: Lane> RayQueue<S> {
         self.add(NONE, live);
     }
 }
+
+#[cfg(test)]
+mod tests;
