@@ -262,3 +262,6 @@ impl<S: Lane> Drop for Stack<'_, S> {
         self.budget.give_back(self.granted);
     }
 }
+
+#[cfg(test)]
+mod tests;
