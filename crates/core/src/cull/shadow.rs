@@ -293,28 +293,4 @@ impl<S: Scalar> Cone<S> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::{CONES, CONES_EACH, lights_with_cones};
-
-    /// Lights, spheres and samples of scenes small and large.
-    #[test]
-    fn cones_take_memory_by_lights_and_balls_and_not_by_both() {
-        for lights in [0, 1, 2, 10, 1000, 100_000] {
-            for spheres in [0, 1, 5, 100, 20_000, 1_000_000] {
-                for samples in [1, 512, 640 * 480, 1 << 30] {
-                    let with_cones = lights_with_cones(spheres, lights, samples);
-                    let most = CONES + CONES_EACH * (lights + spheres);
-                    assert!(with_cones <= lights && with_cones * spheres <= most);
-                    let few_samples = spheres > samples / 8;
-                    assert!(
-                        !few_samples || with_cones == 0,
-                        "{spheres} spheres, {samples} samples"
-                    );
-                    let few = lights * spheres <= CONES && !few_samples;
-                    assert!(!few || with_cones == lights, "{lights} lights, {spheres} spheres");
-                }
-            }
-        }
-        assert_eq!(lights_with_cones(1_000_000, 3, 1 << 30), 3, "usual scenes have all");
-    }
-}
+mod tests;

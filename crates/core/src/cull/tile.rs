@@ -126,3 +126,6 @@ fn view_cone<S: Scalar>(shape: &Shape<S>) -> ViewCone {
         _ => ViewCone::Everywhere,
     }
 }
+
+#[cfg(test)]
+mod tests;
