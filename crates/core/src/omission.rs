@@ -112,3 +112,49 @@ impl FromIterator<Omission> for Omissions {
         Self(omissions.into_iter().fold(0, |bits, omission| bits | Self::bit(omission)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Omission, Omissions};
+
+    /// Every set, as a list.
+    fn lists() -> impl Iterator<Item = Vec<Omission>> {
+        let chosen = |set: u32| move |&of: &Omission| set >> of as u32 & 1 != 0;
+        (0..1 << Omission::ALL.len())
+            .map(move |set| Omission::ALL.into_iter().filter(chosen(set)).collect())
+    }
+
+    #[test]
+    fn a_set_is_its_list() {
+        assert_eq!(lists().next().map(Omissions::from_iter), Some(Omissions::NONE));
+        assert_eq!(Omissions::default(), Omissions::NONE);
+        for list in lists() {
+            // Neither the order of what is put in counts, nor how often.
+            let set: Omissions = list.iter().rev().chain(&list).copied().collect();
+            assert_eq!(set.iter().collect::<Vec<_>>(), list);
+            for of in Omission::ALL {
+                assert_eq!(set.contains(of), list.contains(&of), "{of:?} of {list:?}");
+                let rest: Vec<_> = list.iter().copied().filter(|&other| other != of).collect();
+                assert_eq!(set.without(of), rest.iter().copied().collect(), "{of:?} of {list:?}");
+                assert_eq!(set.without(of).iter().collect::<Vec<_>>(), rest);
+            }
+        }
+    }
+
+    #[test]
+    fn no_two_sets_are_equal() {
+        let sets: Vec<Omissions> = lists().map(Omissions::from_iter).collect();
+        for (i, a) in sets.iter().enumerate() {
+            assert_eq!(sets.iter().position(|b| a == b), Some(i));
+        }
+    }
+
+    #[test]
+    fn each_omission_has_words_of_its_own() {
+        for a in Omission::ALL {
+            let same = |b: &&Omission| b.name() == a.name() || b.what() == a.what();
+            assert_eq!(Omission::ALL.iter().filter(same).count(), 1, "{}", a.name());
+            assert!(!a.why().is_empty());
+        }
+    }
+}

@@ -9,6 +9,8 @@ mod form;
 mod general_sphere;
 mod horizon;
 mod robust_sphere;
+#[cfg(test)]
+mod tests;
 mod textbook;
 
 pub(crate) use dispatch::{dispatch, facts};
