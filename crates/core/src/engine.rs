@@ -90,8 +90,8 @@ impl<S: PacketScalar> fmt::Debug for Engine<'_, S> {
     }
 }
 
-/// Where a picture goes: a film, a slice of linear light, or [`Levels`]. Pixels stand row by row from
-/// the top left.
+/// A place that a picture goes to: a film, a slice of linear light, or [`Levels`]. Pixels stand row by
+/// row from the top left.
 pub trait Target<S: PacketScalar>: sealed::Sealed {
     /// Renders into it.
     #[doc(hidden)]

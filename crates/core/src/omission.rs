@@ -25,8 +25,8 @@ pub enum Omission {
     ///
     /// The recursion adds 0 · power, which is 0, and no light is -0.
     Directions,
-    /// On a primitive that sends back no light, kd·colour and ks being 0, shadow rays
-    /// are counted and not traced.
+    /// Shadow rays from a primitive that sends back no light, kd·colour and ks being 0, are
+    /// counted and not traced.
     ///
     /// The recursion adds I · (0 · n·l + 0 · power), which is 0: n·l, power and I are finite.
     Shadows,

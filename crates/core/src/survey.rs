@@ -39,8 +39,8 @@ pub fn tile_candidates<S: Scalar>(scene: &Compiled<S>, grid: &Grid<S>) -> TileCa
 
 /// The primitives that can stand between a light and any point of a receiver, by index.
 ///
-/// Conservative: one that is not here never does; one that is here may not either. Of a hidden
-/// light, none.
+/// Conservative: one that is not here never does; one that is here may not either. A hidden
+/// light has none.
 ///
 /// # Panics
 /// If there is no such light or receiver.

@@ -14,9 +14,9 @@ use crate::trace::{Budget, Frame, Observe, Scratch, Stack, Tile, TooDeep};
 /// A level on the way down.
 #[derive(Clone, Copy, Debug)]
 pub struct Level<S = f32> {
-    /// Where the ray starts, relative to the eye.
+    /// Start of the ray, relative to the eye.
     pub origin: [S; 3],
-    /// Where it goes.
+    /// Direction of the ray.
     pub direction: [S; 3],
     /// The product of the mirror factors on the way; `None` without a cut by weight, where the
     /// engine forms none.
@@ -25,7 +25,7 @@ pub struct Level<S = f32> {
     pub met: Option<(u32, S)>,
     /// What was put on the stack: the light from there, or the background.
     pub local: [S; 3],
-    /// And the mirror factor, 0 where the mirror is not followed.
+    /// The mirror factor, 0 where the mirror is not followed.
     pub k: S,
 }
 
@@ -34,7 +34,7 @@ pub struct Level<S = f32> {
 pub struct Fold<S = f32> {
     /// What was taken off the stack.
     pub local: [S; 3],
-    /// With it.
+    /// The mirror factor.
     pub k: S,
     /// The colour of the level below.
     pub back: [S; 3],

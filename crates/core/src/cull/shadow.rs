@@ -1,4 +1,4 @@
-//! Which primitives can stand between a light and what it lights.
+//! Shadow culling: the primitives that can stand between a light and what it lights.
 //!
 //! The points of a level that are on one primitive lie in a sphere of radius R around a point q.
 //! All their ways to a light then lie within R of the segment from q to the light. A sphere further
@@ -61,7 +61,7 @@ const LARGEST: f64 = 1e15;
 /// Number of cones that are always allowed: a megabyte in f32.
 const CONES: usize = 1 << 16;
 
-/// And so many a sphere and light.
+/// Cones that are allowed a sphere and light, where that is more.
 const CONES_EACH: usize = 4;
 
 /// The primitives that can stand before a light at all, by number: spheres, then large spheres, then

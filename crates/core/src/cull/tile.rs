@@ -1,4 +1,4 @@
-//! Which primitives the eye rays of a tile can meet.
+//! Tile culling: the primitives that the eye rays of a tile can meet.
 //!
 //! The directions of a tile lie in a cone; a sphere is seen in another one. Where the cones are
 //! apart no eye ray of the tile meets the sphere, and it need not be tried. Nothing else depends
@@ -18,13 +18,13 @@ use crate::shape::{View, facts};
 /// What bounds are widened by: 2e-6 is above 30u.
 const MARGIN: f64 = 2e-6;
 
-/// From where a primitive may be seen; the eye stands at the origin.
+/// The directions in which a primitive may be seen from the eye.
 enum ViewCone {
-    /// From everywhere: around the eye, close to it, or not bounded.
+    /// All directions: it is around the eye, close to it, or not bounded.
     Everywhere,
-    /// In the directions within an angle of the axis.
+    /// Directions within an angle of the axis.
     Cone { axis: DVec3, cos: f64, sin: f64 },
-    /// In the directions that fall towards it: those within a right angle of the axis.
+    /// Directions within a right angle of the axis: they fall towards it.
     Half { axis: DVec3 },
 }
 
@@ -107,7 +107,7 @@ impl TileCone {
     }
 }
 
-/// From where a shape may be seen.
+/// The directions in which a shape may be seen.
 fn view_cone<S: Scalar>(shape: &Shape<S>) -> ViewCone {
     let shape = facts(shape);
     match (shape.view(), shape.sphere()) {

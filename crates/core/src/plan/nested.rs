@@ -1,4 +1,4 @@
-//! Which primitives no ray can meet: spheres wholly inside another sphere.
+//! Nested spheres: spheres wholly inside another one, which no ray can meet.
 //!
 //! A ray from outside the outer sphere meets that one first, and a way to a light that the inner sphere
 //! blocks is blocked by the outer one. Both hold in the reals. So that they hold as computed, the
@@ -16,7 +16,7 @@
 //!
 //! No pairs are gone through. Spheres are taken by falling radius, and only one that is inside no
 //! other is kept as one that may hold others: what is inside an inner sphere is inside the outer one
-//! too, by the gaps of both. Those are found by place (`holders`), in a bounded number of steps a
+//! too, by the gaps of both. Holders are found by place (`holders`), in a bounded number of steps a
 //! sphere. Where places are so crowded that these do not suffice, a sphere may be found to be inside
 //! none. It is then tried like any other.
 
@@ -50,7 +50,7 @@ pub(crate) fn nested<S: Scalar>(scene: &Compiled<S>) -> Vec<u32> {
     inside(spheres.collect(), MARGIN * extent, &mut || ())
 }
 
-/// Which of some spheres are inside another one, in ascending order. `step` is told of every cell
+/// The spheres that are inside another one, in ascending order. `step` is told of every cell
 /// that is looked up and of every pair that is compared.
 fn inside(mut spheres: Vec<(u32, Bound)>, gap: f64, step: &mut impl FnMut()) -> Vec<u32> {
     let (mut smallest, mut largest) = (f64::INFINITY, 0.0);
@@ -78,7 +78,7 @@ fn inside(mut spheres: Vec<(u32, Bound)>, gap: f64, step: &mut impl FnMut()) -> 
     inside
 }
 
-/// As far as anything stands from the eye; `None` if there is no end.
+/// The distance from the eye within which everything stands; `None` if there is no end.
 fn extent<S: Scalar>(scene: &Compiled<S>) -> Option<f64> {
     if scene.numerics == Numerics::Textbook {
         return None;
@@ -110,7 +110,7 @@ mod tests {
             (self.0 >> 11) as f64 / (1u64 << 53) as f64
         }
 
-        /// In a cube of side 2.
+        /// A point in a cube of side 2.
         fn point(&mut self) -> DVec3 {
             DVec3::new(self.next(), self.next(), self.next()) * 2.0 - 1.0
         }

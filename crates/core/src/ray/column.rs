@@ -21,7 +21,7 @@ pub(crate) const TILE_WIDTH: usize = 32;
 /// Rows of a tile.
 pub(crate) const TILE_HEIGHT: usize = RAYS / TILE_WIDTH;
 
-/// Where a ray stands in its queue.
+/// A ray's place in its queue.
 pub(crate) type Slot = u16;
 
 /// One number of each ray. Indices are taken modulo [`PACKETS`] and [`RAYS`], which they are below

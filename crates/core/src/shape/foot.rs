@@ -13,20 +13,20 @@ pub(crate) struct Foot<L> {
 }
 
 impl<L: Lanes> Foot<L> {
-    /// The lanes `on_self` meet nothing: their discriminant is NaN.
+    /// Lets the lanes `on_self` meet nothing: their discriminant becomes NaN.
     #[inline(always)]
     pub(crate) fn without(self, on_self: Mask<L>) -> Self {
         Self { discriminant: on_self.or_nan(self.discriminant), ..self }
     }
 
-    /// The lanes that meet the sphere, not around the eye.
+    /// The lanes that meet the sphere, which is not around the eye.
     #[inline(always)]
     pub(crate) fn met(self) -> Mask<L> {
         let zero = L::constant(0.0);
         self.b.gt(zero) & self.discriminant.ge(zero)
     }
 
-    /// Where they do.
+    /// Distances at which they meet it.
     #[inline(always)]
     pub(crate) fn near(self) -> Distance<L> {
         let t = (self.b - self.discriminant.sqrt()).not_behind();

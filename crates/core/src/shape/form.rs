@@ -40,7 +40,7 @@ pub(crate) trait Shape<L: Lanes>: Copy {
         None
     }
 
-    /// Where rays meet it at distances `t`, from the anchor.
+    /// Arms: the ways from the anchor to where rays meet it, at distances `t`.
     fn arm(&self, rays: &Rays<L>, t: L) -> Vec3<L>;
 
     /// Unit normals where rays in `direction` meet it.
@@ -65,7 +65,7 @@ pub(crate) trait Shape<L: Lanes>: Copy {
         }
     }
 
-    /// Where rays that leave such a point start.
+    /// Starts of the rays that leave such points.
     #[inline(always)]
     fn start(&self, point: Vec3<L>, _normal: Vec3<L>) -> Vec3<L> {
         point
@@ -107,7 +107,7 @@ pub(crate) trait Facts {
         None
     }
 
-    /// From where it may be seen.
+    /// The directions in which it may be seen.
     fn view(&self) -> View {
         View::Everywhere
     }
@@ -121,30 +121,30 @@ pub(crate) trait Facts {
 /// What users call a form.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// By centre and radius.
+    /// A sphere by centre and radius.
     Sphere,
-    /// By its height function.
+    /// A sphere by its height function.
     LargeSphere,
     Plane,
 }
 
-/// In which directions the eye may see a form.
+/// The directions in which the eye may see a form.
 pub(crate) enum View {
-    /// In all: around the eye, close to it, or not bounded.
+    /// All directions: it is around the eye, close to it, or not bounded.
     Everywhere,
-    /// As a disc: the sphere of [`Facts::sphere`].
+    /// A disc: the outline of the sphere of [`Facts::sphere`].
     Disc,
-    /// In those within a right angle of the axis, which need not be a unit vector.
+    /// Directions within a right angle of the axis, which need not be a unit vector.
     Half { axis: DVec3 },
 }
 
-/// Where a form may stand between a light and a point.
+/// The places in which a form may stand between a light and a point.
 pub(crate) enum Blocker {
     /// Nowhere.
     Nowhere,
-    /// In the sphere of [`Facts::sphere`].
+    /// The sphere of [`Facts::sphere`].
     Sphere,
-    /// Where the way to the light falls towards its surface first.
+    /// Beyond its horizon: the way to the light falls towards its surface first.
     Horizon(Horizon),
     /// Anywhere.
     Anywhere,

@@ -16,7 +16,7 @@ struct Eight<S> {
     origin: Packed<S>,
     direction: Packed<S>,
     on_self: [S; LANES],
-    /// Of shadow rays.
+    /// Limit of the shadow rays.
     limit: [S; LANES],
 }
 

@@ -144,7 +144,7 @@ impl Lanes for Avx2<__m256> {
     }
 }
 
-/// In each half: the lowest three bytes of its four numbers, packed.
+/// The order of bytes that packs, in each half, the lowest three of its four numbers.
 const THREE_OF_FOUR: [i8; 32] = [
     0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, -1, -1, -1, -1, //
     0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, -1, -1, -1, -1,

@@ -38,7 +38,7 @@ pub(crate) trait Lanes:
     fn le(self, other: Self) -> Mask<Self>;
     fn gt(self, other: Self) -> Mask<Self>;
     fn ge(self, other: Self) -> Mask<Self>;
-    /// Where the bits are the same; for lanes that hold indices.
+    /// True where the bits are the same; for lanes that hold indices.
     fn same_bits(self, other: Self) -> Mask<Self>;
     fn bit_and(self, other: Self) -> Self;
     fn bit_or(self, other: Self) -> Self;
@@ -138,7 +138,7 @@ impl<L: Lanes> Mask<L> {
         Self(L::index(u32::MAX))
     }
 
-    /// Of lanes that are all ones or all zeros.
+    /// Makes a mask of lanes that are all ones or all zeros.
     #[inline(always)]
     pub(crate) fn from_array(lanes: [L::Scalar; LANES]) -> Self {
         Self(L::from_array(lanes))
@@ -181,7 +181,7 @@ impl<L: Lanes> Mask<L> {
         L::choose(self.0, this, other)
     }
 
-    /// As [`Mask::select`]; see [`Lanes::replace`].
+    /// Selects as [`Mask::select`]; see [`Lanes::replace`].
     #[inline(always)]
     pub(crate) fn replace(self, this: L, other: L) -> L {
         L::replace(self.0, this, other)

@@ -9,7 +9,7 @@ pub(crate) const COLUMN_PACKETS: usize = TILE_WIDTH / LANES;
 /// What the eye rays of eight columns have in common; of one sample a pixel.
 #[derive(Clone, Copy)]
 pub(crate) struct Across<S> {
-    /// Their horizontal component, before they are made unit vectors, and its square.
+    /// Horizontal components, before the rays are made unit vectors, and their squares.
     pub(crate) x: [S; LANES],
     pub(crate) square: [S; LANES],
     /// How many of the columns are in the picture, the first ones; the others repeat the last.

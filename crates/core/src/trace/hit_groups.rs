@@ -13,9 +13,9 @@ use crate::simd::{LANES, Lane, Lanes, Mask, Packed, Vec3};
 #[derive(Clone, Copy)]
 #[repr(C, align(32))]
 pub(crate) struct HitGroup<S> {
-    /// Where they are, from the shape's anchor.
+    /// Arms from the shape's anchor.
     pub(crate) arm: Packed<S>,
-    /// Which rays they are.
+    /// The rays' return slots.
     pub(crate) slots: [ReturnSlot; LANES],
     /// Ray directions. Filled for gathered rays only; whole packets read theirs from the queue.
     pub(crate) direction: Packed<S>,

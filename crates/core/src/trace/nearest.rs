@@ -1,4 +1,4 @@
-//! Which primitive each ray of a bounce meets first.
+//! The nearest hit: the primitive that each ray of a bounce meets first.
 //!
 //! Primitives are tested one after another, each on all packets, so that its constants stay in
 //! registers. They are tested in the order of their index and only a smaller distance replaces:
@@ -29,7 +29,7 @@ pub(crate) struct NearestHits<S> {
 #[derive(Clone, Copy)]
 pub(crate) struct MetPrimitive {
     pub(crate) index: u32,
-    /// In which packets it may be the nearest, packet i as bit i; in no others is it.
+    /// Packets in which it may be the nearest, packet i as bit i; in no others is it.
     pub(crate) packets: u64,
 }
 

@@ -14,7 +14,7 @@ pub const RAY_BOUNCE_BYTES: usize = size_of::<PendingBounce<f32>>() / LANES;
 pub(crate) struct PendingBounce<S> {
     /// Light sent back from where the rays met something.
     pub(crate) local: Packed<S>,
-    /// Which rays wait. Lanes without a ray are the last ones and repeat the first.
+    /// The rays that wait. Lanes without a ray are the last ones and repeat the first.
     pub(crate) slots: [ReturnSlot; LANES],
 }
 

@@ -13,7 +13,7 @@ const _: () = assert!(BATCH <= u32::BITS as usize);
 #[repr(C, align(32))]
 pub(crate) struct ShadePoints<S> {
     pub(crate) normal: Packed<S>,
-    /// Where reflected rays go; left out where nothing asks for it.
+    /// Directions of reflected rays; left out where nothing asks for them.
     pub(crate) reflected: Packed<S>,
     /// The light so far.
     pub(crate) colour: Packed<S>,

@@ -1,4 +1,4 @@
-//! Which points are in the shadow of which occluders.
+//! Shadows: which points an occluder hides the light from.
 
 use catoptric_scene::Numerics;
 
@@ -111,7 +111,7 @@ impl<L: Lanes> ShapeVisitor<L> for Blocks<'_, L> {
     }
 }
 
-/// Among which packets of points a sphere may hide the light, packet i as bit i; from no others does
+/// The packets of points that a sphere may hide the light from, packet i as bit i; from no others does
 /// it. Points beyond the reach of the cones are not asked for; a light without cones has none.
 #[inline(always)]
 fn reached<L: Lanes>(

@@ -31,10 +31,10 @@ pub(crate) struct Stack<'a, S: Lane> {
     granted: usize,
 }
 
-/// Where a bounce stands on the stack, and what was counted there.
+/// A bounce's place on the stack, and what was counted there.
 #[derive(Clone, Copy, Default)]
 struct BounceRecord {
-    /// Its first entry.
+    /// The first entry.
     start: usize,
     /// Packets of the queue in which some ray met nothing are among so many, from this one on.
     first_missed: u8,
