@@ -1,6 +1,6 @@
 //! One eye ray's life as the packet loop has it, for those who study it.
 //!
-//! The loop that is watched is the loop that renders: it asks once a level whether it is.
+//! The loop that is watched is the loop that renders: it asks once a bounce whether it is.
 
 use catoptric_scene::{Compiled, Phong, Scalar};
 
@@ -11,32 +11,32 @@ use crate::settings::{Settings, StackFull};
 use crate::simd::{self, Lane, Packed};
 use crate::trace::{Budget, Frame, Observe, Scratch, Stack, Tile, TooDeep};
 
-/// A level on the way down.
+/// A bounce on the way down.
 #[derive(Clone, Copy, Debug)]
-pub struct Level<S = f32> {
+pub struct Bounce<S = f32> {
     /// Start of the ray, relative to the eye.
     pub origin: [S; 3],
     /// Direction of the ray.
     pub direction: [S; 3],
-    /// The product of the mirror factors on the way; `None` without a cut by weight, where the
+    /// The product of the reflectances on the way; `None` without a cut by weight, where the
     /// engine forms none.
     pub weight: Option<S>,
     /// Index of the primitive that it met, and how far along the ray.
     pub met: Option<(u32, S)>,
     /// What was put on the stack: the light from there, or the background.
     pub local: [S; 3],
-    /// The mirror factor, 0 where the mirror is not followed.
-    pub k: S,
+    /// The reflectance, 0 where the mirror is not followed.
+    pub reflectance: S,
 }
 
-/// A level on the way up: colour = local + k · back.
+/// A bounce on the way up: colour = local + reflectance · back.
 #[derive(Clone, Copy, Debug)]
 pub struct Fold<S = f32> {
     /// What was taken off the stack.
     pub local: [S; 3],
-    /// The mirror factor.
-    pub k: S,
-    /// The colour of the level below.
+    /// The reflectance.
+    pub reflectance: S,
+    /// The colour of the bounce below.
     pub back: [S; 3],
     /// The sum.
     pub colour: [S; 3],
@@ -44,9 +44,9 @@ pub struct Fold<S = f32> {
 
 /// Sees what happens to one ray of a packet.
 pub trait Watch<S = f32> {
-    /// Every level of its path on the way down, from the eye.
-    fn level(&mut self, level: Level<S>);
-    /// Every level on the way up, but for the deepest, which owes nothing.
+    /// Every bounce of its path on the way down, from the eye.
+    fn bounce(&mut self, bounce: Bounce<S>);
+    /// Every bounce on the way up, but for the deepest, which owes nothing.
     fn fold(&mut self, fold: Fold<S>);
 }
 
@@ -107,7 +107,7 @@ impl<S: Lane> Observe<S> for Watcher<'_, S> {
         let nearest = &scratch.nearest;
         let (index, distance) = (nearest.index.ray(0).to_index(), nearest.distance.ray(0));
         let (origin, direction) = queue.ray(0);
-        self.watch.level(Level {
+        self.watch.bounce(Bounce {
             origin,
             direction,
             weight: if self.cut { Some(queue.weights().ray(0)) } else { None },
@@ -116,7 +116,7 @@ impl<S: Lane> Observe<S> for Watcher<'_, S> {
                 [hit, ..] => first_lane(&hit.local),
                 [] => self.background,
             },
-            k: if next > 0 {
+            reflectance: if next > 0 {
                 stack.pending()[0].slots[0].reflectance(self.materials)
             } else {
                 S::ZERO
@@ -131,8 +131,8 @@ impl<S: Lane> Observe<S> for Watcher<'_, S> {
             _ => return,
         };
         let back = stack.colours(stack.bounce() + 1).ray(0);
-        let k = stack.pending()[0].slots[0].reflectance(self.materials);
-        self.owed = Some(Fold { local, k, back, colour: local });
+        let reflectance = stack.pending()[0].slots[0].reflectance(self.materials);
+        self.owed = Some(Fold { local, reflectance, back, colour: local });
     }
 
     #[cold]

@@ -3,7 +3,7 @@
 //! The engine knows no events. What its loop leaves on its stack on the way down, and takes
 //! off on the way up, is written down here in the words of the other rungs.
 
-use catoptric_core::watch::{Fold, Level};
+use catoptric_core::watch::{Bounce, Fold};
 use catoptric_core::{Engine, Settings};
 use catoptric_scene::{Compiled, Counts, Film, Grid};
 use glam::Vec3;
@@ -40,17 +40,18 @@ struct Words<'a> {
 }
 
 impl catoptric_core::watch::Watch for Words<'_> {
-    fn level(&mut self, level: Level) {
-        let (depth, weight) = (self.depth, level.weight);
-        let (origin, direction) = (level.origin.into(), level.direction.into());
+    fn bounce(&mut self, bounce: Bounce) {
+        let (depth, weight) = (self.depth, bounce.weight);
+        let (origin, direction) = (bounce.origin.into(), bounce.direction.into());
         self.watch.see(Event::Call { depth, origin, direction, weight });
-        let (local, followed) = (level.local.into(), level.k > 0.0);
-        if let Some((primitive, distance)) = level.met {
+        let (local, followed) = (bounce.local.into(), bounce.reflectance > 0.0);
+        if let Some((primitive, distance)) = bounce.met {
             let primitive = primitive as usize;
             // The engine takes k up with the ray that goes on. Of a mirror that it does not
             // follow it keeps none: then it is the scene's.
             let material = self.scene.primitives[primitive].material as usize;
-            let k = if followed { level.k } else { self.scene.materials[material].mirror };
+            let k =
+                if followed { bounce.reflectance } else { self.scene.materials[material].mirror };
             self.watch.see(Event::Hit { depth, primitive, distance, local, k, followed });
         }
         if followed {
@@ -62,9 +63,9 @@ impl catoptric_core::watch::Watch for Words<'_> {
 
     fn fold(&mut self, fold: Fold) {
         // The deepest level owes nothing, and has returned.
-        if fold.k > 0.0 {
+        if fold.reflectance > 0.0 {
             self.depth -= 1;
-            let (depth, local, k) = (self.depth, fold.local.into(), fold.k);
+            let (depth, local, k) = (self.depth, fold.local.into(), fold.reflectance);
             let (back, colour) = (fold.back.into(), fold.colour.into());
             self.watch.see(Event::Fold { depth, local, k, back, colour });
             self.watch.see(Event::Return { depth, colour });
