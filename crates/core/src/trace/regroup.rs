@@ -97,7 +97,7 @@ impl<S: Lane> Regroup<S> {
         let rays =
             Rays { origin: Vec3::from_arrays(origin), direction: Vec3::from_arrays(direction) };
         let live = std::mem::take(live);
+        stack.push(Vec3::<L>::from_arrays(local), slots, 0, queue.len());
         queue.push_mixed(&rays, L::from_array(*weight), L::from_array(*from), live);
-        stack.push(Vec3::<L>::from_arrays(local), slots, 0);
     }
 }

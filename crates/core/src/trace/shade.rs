@@ -171,7 +171,7 @@ impl<S: Lane, L: Lanes<Scalar = S>> ShapeVisitor<L> for Shade<'_, '_, '_, S> {
                         flight,
                     );
                 } else {
-                    flight.stack.push(local, &at.slots, ReturnSlot::END);
+                    flight.stack.push_end(local, &at.slots);
                 }
             }
         }
@@ -252,8 +252,8 @@ fn spawn_reflected<L: Lanes, F: Shape<L>>(
 
     // A whole packet goes on as it is.
     if !flight.cut && at.live as usize == LANES {
+        flight.stack.push::<L>(local, slots, mirror.material, flight.next.len());
         flight.next.push(&departing);
-        flight.stack.push::<L>(local, slots, mirror.material);
         return;
     }
     let lanes = Mask::first(at.live);
@@ -268,8 +268,8 @@ fn spawn_reflected<L: Lanes, F: Shape<L>>(
         departing.weight = Some(product);
     }
     if goes_on.all() {
+        flight.stack.push::<L>(local, slots, mirror.material, flight.next.len());
         flight.next.push(&departing);
-        flight.stack.push::<L>(local, slots, mirror.material);
         return;
     }
 
@@ -292,7 +292,7 @@ fn spawn_reflected<L: Lanes, F: Shape<L>>(
                 *ended = slot.ended();
             }
         }
-        flight.stack.push(all, &ended, 0);
+        flight.stack.push_end(all, &ended);
     }
 
     // The others wait for company.

@@ -4,7 +4,7 @@
 //! direction, weight) are held once, in the queues. Below a bounce there is kept, for each
 //! ray that met something, only what is needed on the return: the local light, whose it is, and
 //! the mirror that says how much of the reflected ray's colour is added to it. That is 16 bytes a
-//! ray and bounce in f32. The colours that come back exist for one bounce at a time.
+//! ray and bounce in f32, and a byte for eight rays that says which packet they wait for. The colours that come back exist for one bounce at a time.
 
 use catoptric_scene::{Counts, DepthCount, Phong};
 
@@ -13,14 +13,20 @@ use super::pending::{PendingBounce, ReturnSlot};
 use crate::ray::{PACKETS, QUEUES, RAYS, Vec3Column, queue_of};
 use crate::simd::{LANES, Lane, Lanes, Vec3};
 
+/// A packet of the next queue.
+type Child = u8;
+
+const _: () = assert!(PACKETS <= 1 << Child::BITS);
+
 /// A path went deeper than the memory limit allows.
 pub(crate) struct TooDeep;
 
 /// The stack of one thread. It grows as rays go deep and is kept between tiles.
 pub(crate) struct Stack<'a, S: Lane> {
-    /// All bounces down to the one in flight, one after another. The first entry of a bounce
-    /// that is no end waits for the first packet of the next queue, and so on.
+    /// All bounces down to the one in flight, one after another.
     entries: Vec<PendingBounce<S>>,
+    /// The packet of the next queue that each entry waits for; an end waits for none.
+    children: Vec<Child>,
     /// How many entries that is.
     len: usize,
     bounces: Vec<BounceRecord>,
@@ -69,6 +75,7 @@ impl<'a, S: Lane> Stack<'a, S> {
         let reflections = Self::FIRST.min(depth as usize);
         Self {
             entries: vec![PendingBounce::EMPTY; room(reflections)],
+            children: vec![0; room(reflections)],
             len: 0,
             bounces: vec![BounceRecord::default(); reflections + 2],
             bounce: 0,
@@ -105,15 +112,19 @@ impl<'a, S: Lane> Stack<'a, S> {
         let more_entries = if lacking > 0 { lacking.max(self.entries.len() / 4) } else { 0 };
         let full = self.bounce + 1 >= self.bounces.len();
         let more_bounces = if full { self.bounces.len().div_ceil(4) } else { 0 };
-        let more =
-            more_entries * size_of::<PendingBounce<S>>() + more_bounces * size_of::<BounceRecord>();
-        let old = copied(&self.entries, more_entries) + copied(&self.bounces, more_bounces);
+        let more = more_entries * (size_of::<PendingBounce<S>>() + size_of::<Child>())
+            + more_bounces * size_of::<BounceRecord>();
+        let old = copied(&self.entries, more_entries)
+            + copied(&self.children, more_entries)
+            + copied(&self.bounces, more_bounces);
         let taken = !self.budget.is_refused() && self.budget.take(more + old);
         let grown = taken
             && self.entries.try_reserve_exact(more_entries).is_ok()
+            && self.children.try_reserve_exact(more_entries).is_ok()
             && self.bounces.try_reserve_exact(more_bounces).is_ok();
         if grown {
             self.entries.resize(self.entries.len() + more_entries, PendingBounce::EMPTY);
+            self.children.resize(self.entries.len(), 0);
             self.bounces.resize(self.bounces.len() + more_bounces, BounceRecord::default());
             self.budget.give_back(old);
             self.granted += more;
@@ -158,13 +169,15 @@ impl<'a, S: Lane> Stack<'a, S> {
         (bounce.first_missed, bounce.missed) = (first as u8, packets as u8);
     }
 
-    /// Puts eight rays of the bounce in flight on the stack, with the material whose mirror they wait at.
+    /// Puts eight rays of the bounce in flight on the stack, which wait at the mirror of a material
+    /// for packet `child` of the next queue.
     #[inline(always)]
     pub(crate) fn push<L: Lanes<Scalar = S>>(
         &mut self,
         local: Vec3<L>,
         slots: &[ReturnSlot; LANES],
         material: u32,
+        child: usize,
     ) {
         let pending = &mut self.entries[self.len];
         let mut slots = *slots;
@@ -172,7 +185,18 @@ impl<'a, S: Lane> Stack<'a, S> {
             *slot = slot.at(material);
         }
         (pending.local, pending.slots) = (local.to_arrays(), slots);
+        self.children[self.len] = child as Child;
         self.len += 1;
+    }
+
+    /// Puts eight rays on the stack that wait for nothing.
+    #[inline(always)]
+    pub(crate) fn push_end<L: Lanes<Scalar = S>>(
+        &mut self,
+        local: Vec3<L>,
+        slots: &[ReturnSlot; LANES],
+    ) {
+        self.push(local, slots, ReturnSlot::END, 0);
     }
 
     /// Makes the next bounce the one in flight.
@@ -218,8 +242,8 @@ impl<'a, S: Lane> Stack<'a, S> {
         for packet in first_missed..first_missed + missed {
             colours.put(packet as usize, Vec3::<L>::splat(background));
         }
-        let mut first_below = 0;
-        for pending in &self.entries[start..self.len] {
+        let children = &self.children[start..self.len];
+        for (pending, &child) in self.entries[start..self.len].iter().zip(children) {
             let (mut colour, slots) = (Vec3::<L>::from_arrays(&pending.local), &pending.slots);
             if !slots[0].is_end() {
                 let reflectance = if ReturnSlot::are_of_one_material(slots) {
@@ -227,8 +251,7 @@ impl<'a, S: Lane> Stack<'a, S> {
                 } else {
                     L::gather(|lane| slots[lane].reflectance(materials))
                 };
-                colour = fold(colour, reflectance, below.packet(first_below));
-                first_below += 1;
+                colour = fold(colour, reflectance, below.packet(child.into()));
             }
             match ReturnSlot::packet(slots) {
                 Some(packet) => colours.put(packet, colour),

@@ -26,7 +26,7 @@ fn go_down(stack: &mut Stack<f32>, rays: usize) -> bool {
     // The room is there, for as many entries as rays, and for one bounce more.
     assert!(stack.len + rays <= stack.entries.len() && stack.bounce + 1 < stack.bounces.len());
     for packet in 0..rays.min(PACKETS) {
-        stack.push(colour(1.0), &ReturnSlot::to_packet(packet), 0);
+        stack.push(colour(1.0), &ReturnSlot::to_packet(packet), 0, 0);
     }
     stack.descend();
     true
@@ -83,7 +83,7 @@ fn stacks_take_what_they_grew_by_and_give_it_back() {
 fn a_stack_asks_for_old_and_new_together() {
     let unlimited = Budget::new(usize::MAX);
     let mut stack = Stack::<f32>::new(&unlimited, 0);
-    let old = size_of_val(&*stack.entries);
+    let old = size_of_val(&*stack.entries) + size_of_val(&*stack.children);
     assert!(stack.make_room(RAYS + 1));
     let more = stack.granted;
     assert!(more >= old / 4);

@@ -169,18 +169,18 @@ impl<'a> Driver<'a> {
         let weight = self.numbers.one_in(2).then(|| L::splat(0.5));
         let departing = Departing { rays, weight, from };
         if on.len() == LANES {
-            next.push(&departing);
-            return self.stack.push::<L>(colour, &slots, material);
+            self.stack.push::<L>(colour, &slots, material, next.len());
+            return next.push(&departing);
         }
         if on.is_empty() && self.numbers.one_in(2) {
-            return self.stack.push::<L>(colour, &slots, ReturnSlot::END);
+            return self.stack.push_end::<L>(colour, &slots);
         }
         let each = ReturnSlot::each(&slots, material);
         if let Some(&first) = ending.first() {
             let lane = |lane| if ending.contains(&lane) { lane } else { first };
             let ended = std::array::from_fn(|i| each[lane(i)].ended());
             let all = local.map(|x| std::array::from_fn(|i| x[lane(i)]));
-            self.stack.push(Vec3::<L>::from_arrays(&all), &ended, 0);
+            self.stack.push_end(Vec3::<L>::from_arrays(&all), &ended);
         }
         let set = Mask::<L>::from_array(std::array::from_fn(|i| f32::truth(on.contains(&i))));
         self.regroup.add(&departing, set, (&local, &each), next, &mut self.stack);
