@@ -22,7 +22,6 @@ const OFFENCES: &[(&str, usize)] = &[
     ("ladder", 16),
     ("reference", 18),
     ("report", 9),
-    ("scene", 50),
     ("study", 66),
 ];
 

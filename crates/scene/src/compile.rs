@@ -1,10 +1,10 @@
 //! Scene to constants in f32 or f64: recentre on the camera, turn into its axes, choose a form for
 //! each primitive, round once.
 //!
-//! Everything that is subtracted and turned here is so in double-double, so a scene far from the
-//! origin, or turned against the world's axes, compiles to the same constants as the same scene
-//! around it, as far as f64 could state it. Both renderers start from these constants and nothing else. What is decided
-//! here, which form and which lights are hidden, is decided on the stated scene: it does not depend
+//! Subtraction and turning are done in double-double. So a scene far from the origin, or turned
+//! against the world's axes, compiles to the same constants as the same scene around the origin, as
+//! far as f64 could state it. Both renderers start from these constants and nothing else. The form
+//! of each primitive, and which lights are hidden, is decided on the stated scene: neither depends
 //! on the scalar.
 
 mod camera;
@@ -25,7 +25,7 @@ use constants::{colour, nearest3, rounded3};
 /// A scene as the renderers read it: in the camera's own axes, the eye at the origin.
 #[derive(Clone, Debug)]
 pub struct Compiled<S: Scalar = f32> {
-    /// Which formulas. Robust scenes hold spheres and flats, textbook scenes the others.
+    /// Formulas in use. Robust scenes hold the two robust shapes, textbook scenes the other two.
     pub numerics: Numerics,
     /// The camera's own axes, in which everything else here is stated.
     pub axes: CameraAxes,
@@ -37,25 +37,25 @@ pub struct Compiled<S: Scalar = f32> {
     pub min_weight: S,
     /// Linear RGB of a ray that meets nothing; 0 for -0.
     pub background: S::Vec3,
-    /// In file order, which is the order of summation.
+    /// Lights in file order, which is the order of summation.
     pub lights: Vec<PointLight<S>>,
-    /// Each different material once.
+    /// The different materials, each once.
     pub materials: Vec<Phong<S>>,
     /// Spheres in file order, then planes: on equal distance the lower index is seen. In a
-    /// robust scene the same surface stands here once.
+    /// robust scene a surface that is stated twice stands here once.
     pub primitives: Vec<Primitive<S>>,
 }
 
 /// A point light.
 #[derive(Clone, Copy, Debug)]
 pub struct PointLight<S: Scalar = f32> {
-    /// In the camera's axes, relative to the eye.
+    /// Position in the camera's axes, relative to the eye.
     pub position: S::Vec3,
     /// Linear RGB.
     pub intensity: S::Vec3,
-    /// Robust only: some primitive stands between the light and every point that the eye or
-    /// a mirror can see. It is inside a sphere that the eye is not in, outside one that the
-    /// eye is in, or behind a plane; strictly, decided in double-double.
+    /// Whether some primitive stands between the light and every point that the eye or a mirror
+    /// can see: the light is inside a sphere that the eye is not in, outside one that the eye is
+    /// in, or behind a plane. Strictly, decided in double-double; always false in textbook scenes.
     pub hidden: bool,
 }
 
@@ -121,8 +121,8 @@ fn lights<S: Scalar>(scene: &Draft, axes: &CameraAxes) -> Vec<PointLight<S>> {
         .collect()
 }
 
-/// The different materials in the order of their first bodies, and for every body the index of its
-/// own. Materials that round to the same constants are one: the engine shades their hits together.
+/// The different materials in the order of their first bodies, and each body's index among them.
+/// Materials that round to the same constants are one: the engine shades their hits together.
 fn materials<S: Scalar>(scene: &Draft) -> (Vec<Phong<S>>, Vec<u32>) {
     let mut compiled = Vec::new();
     let mut known = HashMap::new();

@@ -5,14 +5,14 @@
 pub struct DepthCount {
     /// Rays traced at this depth (0: eye rays; deeper: reflection rays).
     pub rays: u64,
-    /// Of those, rays that met a primitive.
+    /// Rays at this depth that met a primitive.
     pub hits: u64,
     /// Shadow rays, logical: one per hit and light with n·l > 0.
     pub shadow: u64,
 }
 
 impl DepthCount {
-    /// Adds others of that depth.
+    /// Adds the counts of another part of the rendering at the same depth.
     #[inline]
     pub fn add(&mut self, other: Self) {
         self.rays += other.rays;
@@ -54,7 +54,7 @@ impl Counts {
         self.primary() + self.reflection() + self.shadow()
     }
 
-    /// The entry of that depth, made if need be.
+    /// The entry of a depth; adds entries up to it if there are none.
     pub fn at(&mut self, depth: u32) -> &mut DepthCount {
         let depth = depth as usize;
         if self.depths.len() <= depth {

@@ -21,8 +21,8 @@ pub(crate) fn unit<W: Wider>(v: [W; 3]) -> Option<[W; 3]> {
     Some(scaled.map(|x| x / length))
 }
 
-/// The same direction at a length that double-double divides without overflow. Scaled by a power
-/// of two, hence exactly.
+/// Scales a direction by a power of two, hence exactly, to a length that double-double divides
+/// without overflow.
 pub(crate) fn tamed(v: [f64; 3]) -> [f64; 3] {
     let power_of_two = |exponent: u64| f64::from_bits((exponent + 1023) << 52);
     let scale = if v.iter().any(|x| x.abs() > 1e100) {
@@ -40,7 +40,7 @@ pub(crate) fn tamed(v: [f64; 3]) -> [f64; 3] {
 ///
 /// The rounding of f64 leaves an error of some 4e-16 in each component of their cross
 /// product, whose length is the sine s of the angle, so the side vector made from it is
-/// off by an angle of 4e-16/s. From s = 1e-8 on that is at most 4e-8, less than f32
+/// off by an angle of 4e-16/s. For s of 1e-8 or more that is at most 4e-8, less than f32
 /// tells apart; below, the picture would visibly turn with the rounding.
 pub(crate) fn parallel(a: [f64; 3], b: [f64; 3]) -> bool {
     let side = cross(a, b);

@@ -20,7 +20,7 @@ pub struct DoubleDouble {
     lo: f64,
 }
 
-/// a + b = s + e exactly (Knuth; any order of magnitude).
+/// Sum and error: a + b = s + e exactly (Knuth; any order of magnitude).
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let from_b = s - a;
@@ -28,13 +28,13 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (s, (a - from_a) + (b - from_b))
 }
 
-/// a + b = s + e exactly where |a| >= |b| (Dekker).
+/// Sum and error: a + b = s + e exactly where |a| >= |b| (Dekker).
 fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     (s, b - (s - a))
 }
 
-/// a · b = p + e exactly, barring overflow and underflow (Dekker's product).
+/// Product and error: a · b = p + e exactly, barring overflow and underflow (Dekker's product).
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
     let (ah, al) = split(a);
@@ -42,7 +42,7 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
     (p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
 }
 
-/// Upper 26 and lower 27 bits (Veltkamp).
+/// Splits a number into its upper 26 and lower 27 bits (Veltkamp).
 fn split(a: f64) -> (f64, f64) {
     const SPLITTER: f64 = 134_217_729.0; // 2^27 + 1
     let c = SPLITTER * a;
@@ -51,49 +51,51 @@ fn split(a: f64) -> (f64, f64) {
 }
 
 impl DoubleDouble {
-    /// The number nearest to this one in f64.
+    /// The nearest f64.
     #[must_use]
     pub fn to_f64(self) -> f64 {
         self.hi
     }
 
-    /// The part that `to_f64` leaves out.
+    /// The low part, which `to_f64` leaves out.
     #[must_use]
     pub fn low(self) -> f64 {
         self.lo
     }
 
-    /// The number nearest to this one in f32. Rounded once: where the high part lies on
-    /// the middle between two f32, the low part decides. For numbers in f32's range.
+    /// The nearest f32, for numbers in f32's range. Rounded once: where the high part lies in the
+    /// middle between two f32, the low part decides.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, reason = "this is the rounding")]
     pub fn to_f32(self) -> f32 {
         let nearest = self.hi as f32;
         let rest = self.hi - f64::from(nearest);
-        // Only a tie is decided otherwise by the low part.
+        // The low part can change the answer only where the high part is a tie.
         let neighbour = if rest > 0.0 { nearest.next_up() } else { nearest.next_down() };
         let half = (f64::from(neighbour) - f64::from(nearest)) / 2.0;
         let tie = rest != 0.0 && rest == half;
-        // The even neighbour was taken; the low part may point to the other one.
+        // The cast took the even neighbour; the low part may point to the other one.
         if tie && self.lo != 0.0 && (self.lo > 0.0) == (rest > 0.0) { neighbour } else { nearest }
     }
 
-    /// a - b, exact.
+    /// The difference a - b, exact.
     #[must_use]
     pub fn difference(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, -b);
         Self { hi, lo }
     }
 
-    /// A whole multiple of 2^-96 times the power of two just below |length|, within one of it; 0 where
-    /// it is far less than that. A high part in the middle between two f64 becomes the even one.
+    /// Rounds to a grid of 2^-96 times the largest power of two that is at most |length|.
+    ///
+    /// Error: less than one step of the grid; numbers far below a step become 0. A high part in the
+    /// middle between two f64 becomes the even one.
     #[must_use]
     pub fn on_grid_of(self, length: f64) -> Self {
         const STEP: f64 = 1.0 / (1_u128 << 96) as f64;
         const NO_ROOM: f64 = 1.5 * (1_u64 << 52) as f64;
         let power = f64::from_bits(length.to_bits() & f64::INFINITY.to_bits());
-        // Beside this number there is no room for a part of a step. A high part that is not far
-        // below it is on the grid as it is.
+        // Adding this number leaves no bits for parts of a step, so the sum is on the grid. A high
+        // part that is not far below it is on the grid as it is.
         let beside = power * STEP * NO_ROOM;
         let rounded = |x: f64| if x.abs() < beside / 3.0 { (x + beside) - beside } else { x };
         let (hi, lo) = fast_two_sum(rounded(self.hi), rounded(self.lo));
@@ -102,7 +104,7 @@ impl DoubleDouble {
 
     /// The square root; NaN for a negative number, 0 for 0.
     ///
-    /// One Newton step on the f64 root, whose residual is formed exactly.
+    /// Takes one Newton step on the f64 root, whose residual is formed exactly.
     #[must_use]
     pub fn sqrt(self) -> Self {
         if self.hi <= 0.0 || !self.hi.is_finite() {
@@ -133,7 +135,7 @@ impl Neg for DoubleDouble {
 impl Add for DoubleDouble {
     type Output = Self;
 
-    /// Algorithm 6 (AccurateDWPlusDW).
+    /// Sum: algorithm 6 (AccurateDWPlusDW).
     fn add(self, other: Self) -> Self {
         let (sh, sl) = two_sum(self.hi, other.hi);
         let (th, tl) = two_sum(self.lo, other.lo);
@@ -154,7 +156,7 @@ impl Sub for DoubleDouble {
 impl Mul for DoubleDouble {
     type Output = Self;
 
-    /// Algorithm 10 (DWTimesDW1).
+    /// Product: algorithm 10 (DWTimesDW1).
     fn mul(self, other: Self) -> Self {
         let (ph, pl) = two_product(self.hi, other.hi);
         let (hi, lo) = fast_two_sum(ph, pl + (self.hi * other.lo + self.lo * other.hi));
@@ -165,7 +167,7 @@ impl Mul for DoubleDouble {
 impl Div for DoubleDouble {
     type Output = Self;
 
-    /// Algorithm 17 (DWDivDW2).
+    /// Quotient: algorithm 17 (DWDivDW2).
     fn div(self, other: Self) -> Self {
         let quotient = self.hi / other.hi;
         let back = other * Self::from(quotient);

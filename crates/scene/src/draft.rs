@@ -32,7 +32,7 @@ pub struct Image {
     pub width: u32,
     /// Rows, 1 to 65 535.
     pub height: u32,
-    /// Used by 8-bit pictures only.
+    /// Transfer of 8-bit pictures; others do not use it.
     pub transfer: Transfer,
 }
 
@@ -49,7 +49,7 @@ pub struct Camera {
     pub position: [f64; 3],
     /// A point straight ahead; apart from `position`.
     pub look_at: [f64; 3],
-    /// Which way is up; not parallel to the view, any length.
+    /// Direction that is up in the picture; not parallel to the view, any length.
     pub up: [f64; 3],
     /// Vertical field of view in degrees, in (0, 180).
     pub fov: f64,
@@ -61,7 +61,7 @@ impl Default for Camera {
     }
 }
 
-/// What holds for the whole picture.
+/// Settings that hold for the whole picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Render {
     /// Reflections followed: the eye ray is depth 0. Every u32 is legal.
@@ -72,7 +72,7 @@ pub struct Render {
     pub background: [f64; 3],
     /// Linear RGB that multiplies every material's colour.
     pub ambient: [f64; 3],
-    /// Which formulas.
+    /// Formulas that rays meet surfaces by.
     pub numerics: Numerics,
 }
 
@@ -91,31 +91,31 @@ impl Default for Render {
 /// A point light without fall-off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
-    /// Where it stands.
+    /// Position in world units.
     pub position: [f64; 3],
-    /// Linear RGB.
+    /// Intensity in linear RGB.
     pub intensity: [f64; 3],
 }
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// Its centre.
+    /// Centre in world units.
     pub center: [f64; 3],
-    /// Its radius, in [1e-12, 1e12].
+    /// Radius in world units, in [1e-12, 1e12].
     pub radius: f64,
-    /// What it is made of.
+    /// Material of the sphere.
     pub material: MaterialId,
 }
 
 /// An infinite plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// Any point on it.
+    /// Any point on the plane.
     pub point: [f64; 3],
-    /// Its normal, any length but zero.
+    /// Normal, of any length but zero.
     pub normal: [f64; 3],
-    /// What it is made of, on both sides.
+    /// Material, the same on both sides.
     pub material: MaterialId,
 }
 
@@ -129,7 +129,7 @@ pub enum Body<'a> {
 }
 
 impl Body<'_> {
-    /// What it is made of.
+    /// The body's material.
     #[must_use]
     pub fn material(self) -> MaterialId {
         match self {
@@ -159,15 +159,15 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// All spheres, then all planes: the order of bodies everywhere, in which the first of two
-    /// at the same distance is seen.
+    /// All spheres, then all planes: the order of bodies everywhere. Where two are at the same
+    /// distance, the first is seen.
     pub fn bodies(&self) -> impl DoubleEndedIterator<Item = Body<'_>> + Clone {
         let spheres = self.spheres.iter().map(Body::Sphere);
         spheres.chain(self.planes.iter().map(Body::Plane))
     }
 
-    /// Gives each body, in the order of [`Draft::bodies`], a material of its own, which `change`
-    /// makes of the one that it has.
+    /// Gives each body a material of its own: its present one, changed by `change`. Goes in the
+    /// order of [`Draft::bodies`].
     pub fn remake_materials(&mut self, mut change: impl FnMut(&mut Material)) {
         let Self { materials, spheres, planes, .. } = self;
         let of_spheres = spheres.iter_mut().map(|sphere| &mut sphere.material);

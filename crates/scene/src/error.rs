@@ -26,15 +26,15 @@ use excerpt::NAME;
 #[error("{}", Report(self))]
 pub struct SceneError {
     file: Option<String>,
-    /// Boxed, since every `Result` on the way has room for it.
+    /// What is wrong; boxed, to keep every `Result` on the way small.
     problem: Box<Problem>,
     place: Place,
 }
 
-/// Columns of what a parser says.
+/// Most columns of a parser's message.
 const MESSAGE: usize = 480;
 
-/// What is wrong.
+/// What is wrong with a scene.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(crate) enum Problem {
     #[error("the file is empty; a scene needs at least one table, such as [image]")]
@@ -53,14 +53,15 @@ pub(crate) enum Problem {
     NotGranted(u64),
 }
 
-/// Where it is wrong.
+/// Place of a problem in the file.
 #[derive(Clone, Debug, PartialEq)]
 enum Place {
-    /// Nowhere in a text: the scene has none, or the problem is the text as a whole.
+    /// No place: the scene has no text, or the problem is the text as a whole.
     Unknown,
     /// The text does not hold the value: a default, or set after reading.
     NotInFile,
-    /// Line and column count from 1, the column in characters; the excerpt is for TOML.
+    /// A place in the text. Line and column count from 1, the column in characters; the excerpt
+    /// is for TOML.
     At { line: usize, column: usize, excerpt: Option<String> },
 }
 
@@ -81,8 +82,8 @@ impl SceneError {
         }
     }
 
-    /// Whether the scene is refused for the memory that reading it takes: more than the caller's
-    /// limit. Nothing else need be wrong with it.
+    /// Whether the scene is refused because reading it takes more memory than the caller's limit.
+    /// Nothing else need be wrong with it.
     #[must_use]
     pub fn is_over_limit(&self) -> bool {
         matches!(*self.problem, Problem::Limit(_))
@@ -93,7 +94,7 @@ impl SceneError {
         Self { file: Some(file.to_owned()), problem: Box::new(problem), place: Place::Unknown }
     }
 
-    /// The fault, where the problem is one key.
+    /// The fault; `None` unless the problem is one key.
     pub(crate) fn fault(&self) -> Option<&Fault> {
         match self.problem.as_ref() {
             Problem::Key(fault) => Some(fault),
@@ -106,7 +107,7 @@ impl SceneError {
         }
     }
 
-    /// The same problem in a TOML text, at those bytes; the line is shown.
+    /// Adds the place in a TOML text, some bytes of it, and an excerpt that shows the line.
     pub(crate) fn shown(mut self, file: &str, text: &str, span: Range<usize>) -> Self {
         self = self.at(file, text, span.start);
         if let Place::At { line, excerpt, .. } = &mut self.place {
@@ -115,14 +116,14 @@ impl SceneError {
         self
     }
 
-    /// The same problem at that byte of a file's text.
+    /// Adds the place in a file's text, one byte of it.
     pub(crate) fn at(self, file: &str, text: &str, byte: usize) -> Self {
         let (line, column) = excerpt::line_column(text, byte);
         let place = Place::At { line, column, excerpt: None };
         Self { file: Some(file.to_owned()), place, ..self }
     }
 
-    /// The same problem, whose value is not in the file.
+    /// Adds that the value is not in the file.
     pub(crate) fn not_in_file(self, file: &str) -> Self {
         Self { file: Some(file.to_owned()), place: Place::NotInFile, ..self }
     }

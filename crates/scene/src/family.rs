@@ -1,7 +1,7 @@
 //! Families of scenes: from a few numbers and a seed to a scene.
 //!
 //! A family is a plain struct of parameters with defaults; its `draft` makes the scene, or
-//! says which parameter is out of its range. What is in range always makes a valid scene.
+//! says which parameter is out of its range. Parameters in range always make a valid scene.
 //! The draft's image is the format's default, 640 x 480; set another one before the draft
 //! becomes a scene.
 //!
@@ -10,12 +10,12 @@
 //! operations that IEEE 754 rounds correctly (+, -, x, / and the square root).
 //!
 //! ```text
-//! corridor.rs     two mirrors face each other, balls between them
-//! room.rs         a closed mirror sphere, balls and the eye inside
+//! corridor.rs     two mirrors face each other, spheres between them
+//! room.rs         a closed mirror sphere, spheres and the eye inside
 //! kissing.rs      spheres that touch: a cluster, a ring, a chain
-//! random.rs       a cloud of balls, radii over decades
-//! lattice.rs      balls on a cubic grid
-//! sphereflake.rs  a ball with nine children, each with nine children, ...
+//! random.rs       a cloud of spheres, radii over decades
+//! lattice.rs      spheres on a cubic grid
+//! sphereflake.rs  a sphere with nine children, each with nine children, ...
 //! ```
 
 mod cells;

@@ -2,7 +2,7 @@
 
 use crate::{Scalar, Transfer};
 
-/// A picture in linear RGB, unclamped. One in f64 is for studies: levels are made of f32.
+/// A picture in linear RGB, unclamped. A film in f64 is for studies: levels are made of f32.
 ///
 /// Layout: row-major from the top left, one `[r, g, b]` a pixel.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,7 +13,7 @@ pub struct Film<S: Scalar = f32> {
 }
 
 impl Film {
-    /// A black film in f32. Its pages are taken as they are first written.
+    /// A black film in f32. The system gives its memory page by page, as pixels are first written.
     #[must_use]
     pub fn new(width: u32, height: u32) -> Self {
         Self::black(width, height)
@@ -51,14 +51,14 @@ impl<S: Scalar> Film<S> {
     }
 }
 
-/// Linear f32 to 8-bit levels: clamp to [0, 1] (NaN is 0), transfer, times 255, plus 1/2,
-/// truncate. This is the only place where that happens.
+/// Turns linear f32 into 8-bit levels: clamp to [0, 1] (NaN is 0), transfer, times 255, plus 1/2,
+/// truncate. This is the only place where pictures are quantised.
 ///
 /// sRGB is decided by comparing with thresholds, so that no libm decides a pixel:
 /// level v is reached at the least f32 whose exact curve value is at least (v - 1/2)/255.
 #[derive(Clone, Debug)]
 pub struct Quantiser {
-    /// `None` is the linear transfer.
+    /// The sRGB transfer; `None` is the linear one.
     srgb: Option<Box<Srgb>>,
 }
 
@@ -79,8 +79,8 @@ impl Quantiser {
         self.srgb.is_none()
     }
 
-    /// 255 x + 1/2 of a linear value clamped to [0, 1]: in the linear transfer its level is the
-    /// whole part, for who has a faster way to many of them than one by one.
+    /// 255 x + 1/2 for a linear value clamped to [0, 1]. Its whole part is the level in the linear
+    /// transfer; for callers that quantise many values at once.
     #[must_use]
     #[inline(always)]
     pub fn scaled(linear: f32) -> f32 {
@@ -97,9 +97,9 @@ impl Quantiser {
         }
     }
 
-    /// The levels of many pixels: the same as one by one, without a call for each.
+    /// Writes the levels of many pixels: the same as one by one, without a call for each.
     ///
-    /// Always inlined, so that it is compiled for the instruction set of who calls it.
+    /// Always inlined, so that it is compiled for the caller's instruction set.
     ///
     /// # Panics
     /// If there is not one place for each pixel.
@@ -122,7 +122,7 @@ impl Quantiser {
     }
 }
 
-/// Clamp to [0, 1]. NaN fails the first comparison and becomes 0.
+/// Clamps to [0, 1]. NaN fails the first comparison and becomes 0.
 #[inline(always)]
 fn clamped(x: f32) -> f32 {
     let x = if x > 0.0 { x } else { 0.0 };
@@ -132,8 +132,8 @@ fn clamped(x: f32) -> f32 {
 /// The linear transfer: 255 x + 1/2, truncated.
 ///
 /// The cast `as u8` would say the same, but is not compiled to vector instructions. Adding
-/// 2^23 rounds to a whole number, which stands in the lowest bits of the sum's mantissa;
-/// where that went up, one less is the truncated one.
+/// 2^23 rounds to a whole number, which stands in the lowest bits of the sum's mantissa; where
+/// it was rounded up, the truncated number is one less.
 #[inline(always)]
 #[expect(clippy::cast_possible_truncation, reason = "the lowest 8 bits are the level")]
 fn linear_level(linear: f32) -> u8 {
@@ -149,8 +149,8 @@ fn linear_level(linear: f32) -> u8 {
 struct Srgb {
     /// Level v is reached at `thresholds[v - 1]`.
     thresholds: [f32; 255],
-    /// The level of the least f32 with these upper 16 bits: at most two below that of any
-    /// other one with them. The last entry is that of 1.
+    /// Levels by the upper 16 bits of an f32: the level of the least f32 with those bits, at most
+    /// two below the level of any other f32 with them. The last entry is for 1.
     starts: Vec<u8>,
 }
 
@@ -177,7 +177,8 @@ impl Srgb {
     }
 }
 
-/// Threshold of level v at index v - 1: the least f32 not below the exact one.
+/// Thresholds of the levels 1 to 255, level v at index v - 1: the least f32 not below the exact
+/// threshold.
 #[expect(clippy::cast_possible_truncation, reason = "rounded up on the next line")]
 fn srgb_thresholds() -> [f32; 255] {
     let mut thresholds = [0.0; 255];

@@ -1,4 +1,4 @@
-//! Materials, which bodies name by number.
+//! Materials, which bodies refer to by number.
 
 use std::collections::BTreeMap;
 use std::ops::{Index, IndexMut};
@@ -8,9 +8,9 @@ use std::ops::{Index, IndexMut};
 pub struct Material {
     /// Linear RGB of the ambient and diffuse terms.
     pub color: [f64; 3],
-    /// kd, does not scale ambient.
+    /// Diffuse factor kd; does not scale ambient.
     pub diffuse: f64,
-    /// ks, the highlight's factor.
+    /// Specular factor ks, the highlight's.
     pub specular: f64,
     /// The highlight's exponent; x^0 is 1, also for x = 0.
     pub shininess: f64,
@@ -19,7 +19,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// A matt material of that colour: diffuse 1, no highlight, no mirror.
+    /// A matt material of a colour: diffuse 1, no highlight, no mirror.
     #[must_use]
     pub fn matt(color: [f64; 3]) -> Self {
         Self { color, diffuse: 1.0, specular: 0.0, shininess: 0.0, reflect: None }
@@ -34,7 +34,7 @@ impl Material {
 
 /// Number of a material in one draft's [`Materials`].
 ///
-/// It means nothing to another draft. Validation refuses one that a draft does not have.
+/// An id means nothing to another draft. Validation refuses one that a draft does not have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct MaterialId(u32);
 
@@ -45,7 +45,7 @@ impl MaterialId {
         self.0 as usize
     }
 
-    /// The id of that place.
+    /// The id of a place in that order.
     pub(crate) fn at(index: usize) -> Self {
         Self(u32::try_from(index).expect("fewer than 2^32 materials fit in memory"))
     }
@@ -79,14 +79,14 @@ impl Materials {
         MaterialId::at(self.stated.len() - 1)
     }
 
-    /// Adds a material with a name. Validation refuses a name that two of them have.
+    /// Adds a material with a name. Validation refuses a name that two materials have.
     pub fn add_named(&mut self, name: impl Into<String>, material: Material) -> MaterialId {
         let id = self.add(material);
         self.set_name(id, name.into());
         id
     }
 
-    /// Names a material that is there.
+    /// Gives a name to a material that is there.
     pub(crate) fn set_name(&mut self, id: MaterialId, name: String) {
         self.names.insert(id, name);
     }
@@ -103,29 +103,29 @@ impl Materials {
         self.names.get(&id).map(String::as_str)
     }
 
-    /// How many there are, whether or not a body has them.
+    /// How many materials there are, whether or not a body has them.
     #[must_use]
     pub fn len(&self) -> usize {
         self.stated.len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no materials.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.stated.is_empty()
     }
 
-    /// All of them, in the order in which they were added.
+    /// All materials with their ids, in the order in which they were added.
     pub fn iter(&self) -> impl Iterator<Item = (MaterialId, &Material)> {
         self.stated.iter().enumerate().map(|(index, material)| (MaterialId::at(index), material))
     }
 
-    /// All of them, for changing every one.
+    /// All materials, for changing them.
     pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut Material> {
         self.stated.iter_mut()
     }
 
-    /// Those that have a name, in the order in which they were added.
+    /// Materials that have a name, in the order in which they were added.
     pub fn named(&self) -> impl Iterator<Item = (&str, &Material)> {
         self.names.iter().map(|(&id, name)| (name.as_str(), &self[id]))
     }

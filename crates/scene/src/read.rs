@@ -1,10 +1,10 @@
 //! Text to scene.
 //!
 //! Both formats become values (`value`), which one reader turns into a [`Draft`] (`draft`,
-//! `table`), so that they cannot differ. Lights, bodies and materials come one by one, and each is
-//! gone before the next: there is no tree of a whole scene, and what is kept is counted
-//! (`memory`). Values hold no places in the text: when a key is wrong, and only then, the text is
-//! parsed once more and the key's path walked in it (`locate` of `toml` and of `json`).
+//! `table`), so that they cannot differ. Lights, bodies and materials come one by one, and the
+//! values of each are dropped before the next: there is no tree of a whole scene, and what is kept
+//! is counted (`memory`). Values hold no places in the text: when a key is wrong, and only then,
+//! the text is parsed once more and the key's path walked in it (`locate` of `toml` and of `json`).
 
 mod draft;
 mod json;
@@ -28,22 +28,22 @@ use memory::Memory;
 /// The language of a scene file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SceneFormat {
-    /// For people.
+    /// TOML, for people.
     Toml,
-    /// For programs; the same keys.
+    /// JSON, for programs; the same keys.
     Json,
 }
 
 impl SceneFormat {
-    /// By a file's name: JSON if it ends in `.json` (in any case), otherwise TOML.
+    /// Tells the format by a file's name: JSON if it ends in `.json` (in any case), otherwise TOML.
     #[must_use]
     pub fn of_path(path: &Path) -> Self {
         let json = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
         if json { Self::Json } else { Self::Toml }
     }
 
-    /// By the text, for a scene without a name: JSON if the first byte that is not blank
-    /// is `{`, otherwise TOML.
+    /// Tells the format by the text, for a scene without a name: JSON if the first byte that is not
+    /// blank is `{`, otherwise TOML.
     #[must_use]
     pub fn of_text(text: &[u8]) -> Self {
         if text::starts_like_json(text) { Self::Json } else { Self::Toml }
@@ -53,8 +53,7 @@ impl SceneFormat {
 /// A scene file that was read: its text and the draft that it states.
 ///
 /// Change the draft at will (as a program's options do), then make it a scene. An error
-/// names the file and the place of the wrong value in it, unless that value did not come
-/// from the file.
+/// names the file and the place of the wrong value, if that value came from the file.
 #[derive(Clone, Debug)]
 pub struct Document {
     name: String,
@@ -82,7 +81,7 @@ impl Document {
     ///
     /// # Errors
     /// As for [`Document::parse`]; and more memory is needed than the limit, or than the system
-    /// grants. It has not been taken then.
+    /// grants. The memory has not been taken then.
     pub fn parse_within(
         name: &str,
         bytes: Vec<u8>,
@@ -112,7 +111,7 @@ impl Document {
         &self.draft
     }
 
-    /// The draft, for setting what stands above the file.
+    /// The draft, for settings that override the file.
     pub fn draft_mut(&mut self) -> &mut Draft {
         &mut self.draft
     }

@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::DoubleDouble;
 
-/// f32, which pictures are made of, or f64, for studies of accuracy. There is no other one.
+/// The scalar of a picture: f32, or f64 for studies of accuracy. There is no other one.
 ///
 /// Each constant of a scene is formed in [`Scalar::Wider`] and rounded once to the scalar.
 pub trait Scalar:
@@ -20,7 +20,7 @@ pub trait Scalar:
     + Sync
     + 'static
 {
-    /// Three of them: glam's `Vec3` or `DVec3`.
+    /// Vector of three scalars: glam's `Vec3` or `DVec3`.
     type Vec3: Copy
         + Debug
         + PartialEq
@@ -30,35 +30,35 @@ pub trait Scalar:
         + Send
         + Sync;
 
-    /// What constants are formed in: f64 for f32, double-double for f64.
+    /// Arithmetic that constants are formed in: f64 for f32, double-double for f64.
     type Wider: Wider;
 
-    /// 0.
+    /// The number 0.
     const ZERO: Self;
 
     /// The least positive normal number.
     const MIN_POSITIVE: Self;
 
-    /// A highlight below 2 to this is taken as 0: beside 1 it is far less than an ulp.
+    /// Binary exponent below which a highlight is taken as 0: beside 1 it is far less than an ulp.
     const FAINTEST: f64;
 
-    /// log2 m = s·sum of c_j s^(2j) with s = (m - 1)/(m + 1): c_j = 2/((2j + 1) ln 2).
+    /// Coefficients c_j = 2/((2j + 1) ln 2) of log2 m = s·sum of c_j s^(2j), s = (m - 1)/(m + 1).
     const LOG2_SERIES: &'static [Self];
 
-    /// 2^f = sum of c_j f^j: c_j = (ln 2)^j / j!.
+    /// Coefficients c_j = (ln 2)^j / j! of 2^f = sum of c_j f^j.
     const EXP2_SERIES: &'static [Self];
 
-    /// The nearest one.
+    /// The nearest scalar.
     fn rounded(x: f64) -> Self;
 
-    /// The nearest one, rounded once.
+    /// The scalar nearest to a double-double, rounded once.
     fn nearest(x: DoubleDouble) -> Self;
 
-    /// The same number.
+    /// The same number in f64, exact.
     fn to_f64(self) -> f64;
 }
 
-/// What constants are formed in, before they are rounded to a scalar.
+/// Arithmetic that constants are formed in, before they are rounded to a scalar.
 pub trait Wider:
     sealed::Sealed
     + Copy
@@ -75,7 +75,7 @@ pub trait Wider:
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// a - b.
+    /// The difference a - b.
     #[must_use]
     fn difference(a: f64, b: f64) -> Self {
         Self::from(a) - Self::from(b)

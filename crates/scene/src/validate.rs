@@ -16,14 +16,14 @@ use allowed::{AMOUNT, COORDINATE, LIGHT, RADIUS, SIDE};
 use check::{direction, one, triple};
 use material::{Brightest, material};
 
-/// Materials that a scene may have: the engine's stack holds their numbers in 22 bits.
+/// Most materials of a scene: the engine's stack holds their numbers in 22 bits.
 pub const MOST_MATERIALS: usize = 4_000_000;
 
-/// Spheres and planes that a scene may have: the renderers hold their numbers in 32 bits. Memory
-/// ends far below.
+/// Most spheres and planes of a scene: the renderers hold their numbers in 32 bits. Memory ends far
+/// below.
 pub const MOST_BODIES: usize = 4_000_000_000;
 
-/// All of a draft.
+/// Checks all of a draft; the fault is about the first key that is wrong.
 pub(crate) fn validate(draft: &Draft) -> Result<(), SceneError> {
     validate_settings(draft)?;
     let brightest = Brightest::of(draft);
@@ -32,7 +32,7 @@ pub(crate) fn validate(draft: &Draft) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// What comes before the materials: picture, camera, rendering, lights.
+/// Checks what comes before the materials: picture, camera, rendering, lights.
 fn validate_settings(draft: &Draft) -> Result<(), Fault> {
     let image = Trail::Root.key("image");
     one(image.key("width"), f64::from(draft.image.width), &SIDE)?;
@@ -54,8 +54,8 @@ fn validate_settings(draft: &Draft) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Number of materials, and those that have a name or that no body has. Others are validated where
-/// the first body that has them stands, as the file states them there.
+/// Checks the number of materials, and the materials that have a name. Others are checked with the
+/// first body that has them, as the file states them there, or after the bodies if none has.
 fn validate_materials(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
     let materials = &draft.materials;
     let trail = Trail::Root.key("materials");
@@ -76,8 +76,8 @@ fn validate_materials(draft: &Draft, brightest: &Brightest) -> Result<(), Fault>
     Ok(())
 }
 
-/// Spheres and planes, each with the material that it states, and then the materials that nothing
-/// names.
+/// Checks spheres and planes, each with the material that it states, and then the materials that
+/// nothing names.
 fn validate_bodies(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
     let (spheres, planes) = (Trail::Root.key("spheres"), Trail::Root.key("planes"));
     let bodies = draft.spheres.len() + draft.planes.len();
@@ -86,7 +86,7 @@ fn validate_bodies(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
         return Err(Fault::new(spheres, found, format!("at most {MOST_BODIES} of them")));
     }
 
-    // Materials that no body so far has.
+    // Materials that no body has so far: the first body with one checks it.
     let mut unseen = vec![true; draft.materials.len()];
     for (place, body) in draft.bodies().enumerate() {
         let trail = match body {
@@ -94,7 +94,7 @@ fn validate_bodies(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
             Body::Plane(_) => planes.index(place - draft.spheres.len()),
         };
 
-        // Where it stands and how large it is.
+        // Place and size.
         match body {
             Body::Sphere(sphere) => {
                 triple(trail.key("center"), sphere.center, &COORDINATE)?;
@@ -106,7 +106,7 @@ fn validate_bodies(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
             }
         }
 
-        // What it is made of: checked once, with the first body that states it.
+        // Material: checked once, with the first body that states it.
         let id = body.material();
         let Some(stated) = draft.materials.get(id) else {
             let found = format!("the id of material {}", id.index());
@@ -121,7 +121,7 @@ fn validate_bodies(draft: &Draft, brightest: &Brightest) -> Result<(), Fault> {
         }
     }
 
-    // What only a program can state: neither named nor of a body.
+    // Only a program can state a material that has no name and no body.
     let materials = Trail::Root.key("materials");
     for (id, stated) in draft.materials.iter().filter(|(id, _)| unseen[id.index()]) {
         material(materials.index(id.index()), stated, brightest)?;

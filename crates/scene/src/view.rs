@@ -1,4 +1,4 @@
-//! Which part of the picture is rendered, and where its rays pass through the image plane.
+//! The part of the picture that is rendered, and where its rays pass through the image plane.
 
 use crate::{Scalar, Scene, Wider};
 
@@ -33,14 +33,14 @@ pub enum ViewError {
         .crop.x, .crop.y, .crop.width, .crop.height
     )]
     CropOutside {
-        /// What was asked.
+        /// The crop that was asked for.
         crop: Crop,
         /// The image's columns.
         width: u32,
         /// The image's rows.
         height: u32,
     },
-    /// Samples a side not in 1 to 256.
+    /// The samples a side are not in 1 to 256.
     #[error("samples {0} is out of range: allowed are 1 to 256 a side")]
     Samples(u32),
 }

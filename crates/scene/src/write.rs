@@ -14,9 +14,9 @@ impl Scene {
     /// The scene as text that reads back to the same numbers, bit by bit.
     ///
     /// Keys stand in the order of the format. Image size, camera and depth are always
-    /// written, other keys only where they differ from their defaults. Materials keep their
-    /// names and their order, those too that no body has. One without a name stands inline, or, if
-    /// several bodies share it, once under the first free of the names m0, m1, ...
+    /// written, other keys only where they differ from their defaults. Named materials keep their
+    /// names and their order, also if no body has them. A material without a name stands inline or,
+    /// if several bodies share it, once under the first free of the names m0, m1, ...
     #[must_use]
     pub fn to_text(&self, format: SceneFormat) -> String {
         let sections = entries::sections(self);

@@ -37,9 +37,10 @@ impl CameraAxes {
 
     /// A direction of the world in the camera's axes.
     ///
-    /// The turn's own rounding, at most 2^-100 of the vector's length, is taken out again by a
-    /// grid sixteen times as wide. So what is a short number in these axes is that number, and where
-    /// it lies between two scalars it goes to the even one, however the scene is turned.
+    /// The turn's own rounding, at most 2^-100 of the vector's length, is taken out again by a grid
+    /// sixteen times as wide. So a component that is a short number in these axes is exactly that
+    /// number, and one halfway between two scalars goes to the even one, however the scene is
+    /// turned.
     #[must_use]
     pub fn turned(&self, v: [DoubleDouble; 3]) -> [DoubleDouble; 3] {
         let turned = self.axes.map(|axis| axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2]);
@@ -47,14 +48,14 @@ impl CameraAxes {
         turned.map(|x| x.on_grid_of(longest))
     }
 
-    /// The way back of [`CameraAxes::point`].
+    /// The inverse of [`CameraAxes::point`]: a point in the camera's axes, in the world's.
     #[must_use]
     pub fn world_point(&self, point: [DoubleDouble; 3]) -> [DoubleDouble; 3] {
         let from_eye = self.turned_back(point);
         std::array::from_fn(|i| from_eye[i] + DoubleDouble::from(self.position[i]))
     }
 
-    /// The way back of [`CameraAxes::turned`].
+    /// The inverse of [`CameraAxes::turned`]: a direction in the camera's axes, in the world's.
     #[must_use]
     pub fn turned_back(&self, v: [DoubleDouble; 3]) -> [DoubleDouble; 3] {
         let [s, u, b] = self.axes;
@@ -69,11 +70,11 @@ impl CameraAxes {
 /// largest is at most 1 (which changes no bit of d and keeps extreme fields of view in range).
 #[derive(Clone, Copy, Debug)]
 pub struct EyeRays<S: Scalar = f32> {
-    /// From the image's middle to its right edge.
+    /// Distance from the image's middle to its right edge.
     pub half_width: S,
-    /// From the image's middle to its top edge.
+    /// Distance from the image's middle to its top edge.
     pub half_height: S,
-    /// From the eye to the image plane.
+    /// Distance from the eye to the image plane.
     pub distance: S,
 }
 

@@ -1,13 +1,14 @@
 //! The form of each primitive: which constants its intersection is computed from.
 //!
-//! A **sphere** is computed from centre and radius. A **flat** is a plane, or a sphere whose surface is
-//! so close to the eye, for its size, that it looks like one: computed from its height function,
-//! it needs no coordinates of a centre far away. Which it is depends on the sphere and the eye
-//! alone: nothing else in the scene changes a bit of it.
+//! A **robust sphere** is computed from centre and radius. A **general sphere** is a plane, or a
+//! sphere whose surface is so close to the eye, for its size, that it looks like one: computed from
+//! its height function, it needs no coordinates of a centre far away. The choice depends on the
+//! sphere and the eye alone: nothing else in the scene changes a bit of it.
 //!
-//! The points of a sphere are as exact as its centre and radius, some u (|c| + r); those of a flat as
-//! they are far from the eye. Where the eye is at a quarter of the radius from the surface, the
-//! nearest point of a sphere is off by 9 u of its distance; closer, that grows without bound.
+//! Accuracy: points of a robust sphere are off by some u (|c| + r), points of a general sphere by
+//! some u times their distance from the eye. Where the eye is at a quarter of the radius from the
+//! surface, the nearest point of a robust sphere is off by 9 u of its distance; closer, that grows
+//! without bound.
 
 use std::collections::HashSet;
 
@@ -32,22 +33,22 @@ pub enum Shape<S: Scalar = f32> {
 /// A sphere, by centre and radius.
 #[derive(Clone, Copy, Debug)]
 pub struct RobustSphere<S: Scalar = f32> {
-    /// In the camera's axes, relative to the eye.
+    /// Centre in the camera's axes, relative to the eye.
     pub center: S::Vec3,
-    /// Its radius.
+    /// Radius in world units.
     pub radius: S,
     /// The radius squared in f64, rounded to the scalar.
     pub radius_squared: S,
-    /// 1 where the eye is outside or on it, -1 where it is around the eye: times the outward
-    /// normal it gives the normal that faces every ray.
+    /// 1 where the eye is outside the sphere or on it, -1 where the sphere is around the eye. Times
+    /// the outward normal it gives the normal that faces every ray.
     pub side: S,
 }
 
 /// A plane, or a sphere close to the eye for its size, by its height function.
 ///
-/// Twice the height of x above it, on the eye's side: 2g(x) = curvature·|x|^2 - 2 scaled_center·x +
-/// cocurvature, with the gradient N(x) = curvature·x - scaled_center, which on the surface is the unit
-/// normal that faces every ray.
+/// Twice the height of x above the surface, on the eye's side, is
+/// 2g(x) = curvature·|x|^2 - 2 scaled_center·x + cocurvature. Its gradient is
+/// N(x) = curvature·x - scaled_center: on the surface the unit normal that faces every ray.
 #[derive(Clone, Copy, Debug)]
 pub struct GeneralSphere<S: Scalar = f32> {
     /// 1/r for a sphere seen from outside, -1/r for one around the eye, 0 for a plane.
@@ -77,9 +78,9 @@ impl<S: Scalar> RobustSphere<S> {
 /// A sphere as the workshop states it.
 #[derive(Clone, Copy, Debug)]
 pub struct TextbookSphere<S: Scalar = f32> {
-    /// In the camera's axes, relative to the eye.
+    /// Centre in the camera's axes, relative to the eye.
     pub center: S::Vec3,
-    /// Its radius.
+    /// Radius in world units.
     pub radius: S,
 }
 
@@ -114,10 +115,10 @@ pub(super) fn shapes<S: Scalar>(scene: &Scene, axes: &CameraAxes) -> Vec<Shape<S
     }
 }
 
-/// For each body whether no earlier one is the same surface.
+/// Whether each body is the first with its surface; in textbook scenes all are kept.
 ///
-/// The same surface again is never seen: ties go to the first. In a robust scene it must not
-/// be tried either, for a ray that leaves the first would tell the two apart by rounding.
+/// A repeated surface is never seen, since ties go to the first. In a robust scene it must not be
+/// tried either: a ray that leaves the first would tell the two apart by rounding.
 pub(super) fn firsts(scene: &Draft) -> Vec<bool> {
     let all = scene.render.numerics == Numerics::Textbook;
     let bits = |v: [f64; 3]| v.map(|x| (x + 0.0).to_bits());
@@ -129,7 +130,7 @@ pub(super) fn firsts(scene: &Draft) -> Vec<bool> {
     scene.bodies().map(first).map(|first| first || all).collect()
 }
 
-/// A sphere is a flat where its radius is at least so many times the eye's distance from it.
+/// Radius over the eye's distance from the surface, from which a sphere takes the general form.
 const FLAT_FROM: f64 = 4.0;
 
 fn robust_sphere<S: Scalar>(scene: &Draft, axes: &CameraAxes, sphere: &Sphere) -> Shape<S> {
@@ -157,7 +158,8 @@ fn robust_sphere<S: Scalar>(scene: &Draft, axes: &CameraAxes, sphere: &Sphere) -
     })
 }
 
-/// The normal is turned to the eye's side; an eye on the plane is where the normal points.
+/// A plane in the general form, its normal turned to the eye's side. An eye on the plane counts as
+/// where the stated normal points.
 fn robust_plane<S: Scalar>(scene: &Draft, axes: &CameraAxes, plane: &Plane) -> GeneralSphere<S> {
     let normal = exact_normal(plane);
     let height = height(plane, scene.camera.position);
@@ -172,12 +174,12 @@ fn robust_plane<S: Scalar>(scene: &Draft, axes: &CameraAxes, plane: &Plane) -> G
     }
 }
 
-/// The unit normal, as it is stated.
+/// The unit vector of a plane's stated normal.
 fn exact_normal(plane: &Plane) -> [DoubleDouble; 3] {
     unit(tamed(plane.normal).map(DoubleDouble::from))
 }
 
-/// |x - c|^2 - r^2: negative inside, positive outside.
+/// |x - c|^2 - r^2, the power of a point: negative inside the sphere, positive outside.
 pub(super) fn power_of(sphere: &Sphere, x: [f64; 3]) -> DoubleDouble {
     let d: [_; 3] = std::array::from_fn(|i| DoubleDouble::difference(x[i], sphere.center[i]));
     let r = DoubleDouble::from(sphere.radius);
@@ -190,9 +192,10 @@ fn height(plane: &Plane, x: [f64; 3]) -> DoubleDouble {
     scaled_height(plane, x) / (a * a + b * b + c * c).sqrt()
 }
 
-/// [`height`] times the length of the stated normal, which says on which side of the plane x is: the
-/// products are exact, so of a point that is stated to be on the plane it is 0, however the plane
-/// lies. A unit normal's rounding would put it on one side or the other.
+/// [`height`] times the length of the stated normal: its sign says on which side of the plane x is.
+///
+/// The products are exact, so a point stated to be on the plane gives 0, however the plane lies. A
+/// unit normal's rounding would put it on one side or the other.
 pub(super) fn scaled_height(plane: &Plane, x: [f64; 3]) -> DoubleDouble {
     let normal = tamed(plane.normal);
     let along =

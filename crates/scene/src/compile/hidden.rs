@@ -1,16 +1,17 @@
-//! Which lights some primitive hides from all that the eye can see.
+//! Hidden lights: those that some primitive hides from all that the eye can see.
 //!
-//! It is decided in double-double, as if every primitive were asked about every light. Two things
+//! The answer is that of double-double, with every primitive asked about every light. Two things
 //! make that cheap, and change no answer:
 //!
-//! - Where f64 leaves no doubt about a sign, double-double is not asked. With u = 2^-53, the square of
-//!   a distance is within 6u of itself, a radius squared within u, and their difference rounds by u
-//!   of itself: the sign is right where it is further from 0 than 16u of the two squares' sum. A
-//!   height over a plane is a sum of three products, each off by 2u and added with 2u more: its sign is
-//!   right above 16u of the sum of their magnitudes. Double-double is off by less than 100u^2 of the same.
-//! - Lights stand in a tree of boxes. A primitive that surely hides no point of a box is not asked about
-//!   the lights in it, nor about lights that are known to be hidden. A box counts as surely not hidden
-//!   only with a room of 1e-12 of the same sums, which is far above what f64 is off by.
+//! - Where f64 leaves no doubt about a sign, double-double is not asked. With u = 2^-53, the square
+//!   of a distance is within 6u of itself, a radius squared within u, and their difference rounds
+//!   by u of itself: the sign is right where it is further from 0 than 16u of the two squares' sum.
+//!   A height over a plane is a sum of three products, each off by 2u and added with 2u more: its
+//!   sign is right above 16u of the sum of their magnitudes. Double-double is off by less than
+//!   100u^2 of the same sums.
+//! - Lights stand in a tree of boxes. A primitive that surely hides no point of a box is not asked
+//!   about the lights in it, nor about lights that are known to be hidden. A box counts as surely
+//!   not hidden only with a margin of 1e-12 of the same sums, far above the error of f64.
 //!
 //! Primitives and lights that have a product of coordinates near 1e-290, where products round to
 //! less than their share, are asked in double-double.
@@ -19,24 +20,24 @@ use super::forms::{power_of, scaled_height};
 use crate::direction::tamed;
 use crate::{DoubleDouble, Draft, Plane, Sphere};
 
-/// 16u, above the error of f64.
+/// Relative size below which a sign is in doubt in f64: a little above 16u.
 const DOUBT: f64 = 2e-15;
 
-/// What a box has to be further away by.
+/// Relative margin by which a box must be clear of a primitive to be skipped.
 const ROOM: f64 = 1e-12;
 
-/// Below it products may be rounded by more than u of themselves.
+/// Size below which products may be rounded by more than u of themselves.
 const FAINT: f64 = 1e-290;
 
-/// Lights of a box that has no boxes in it, at most.
+/// Most lights in a box that is not divided further.
 const LEAF: usize = 8;
 
-/// For each light, whether some primitive stands between it and all that the eye can see.
+/// Whether each light is hidden: some primitive stands between it and all that the eye can see.
 pub(super) fn hidden(scene: &Draft) -> Vec<bool> {
     hidden_in_steps(scene, &mut || ())
 }
 
-/// [`hidden`], which tells of every box and of every light that a primitive is asked about.
+/// [`hidden`], calling `step` for every box and every light that a primitive is asked about.
 fn hidden_in_steps(scene: &Draft, step: &mut impl FnMut()) -> Vec<bool> {
     let mut lights = Lights::new(scene.lights.iter().map(|light| light.position).collect());
     let eye = scene.camera.position;
@@ -49,9 +50,9 @@ fn hidden_in_steps(scene: &Draft, step: &mut impl FnMut()) -> Vec<bool> {
     lights.hidden
 }
 
-/// What hides the lights on its far side.
+/// A primitive that hides the lights on its far side.
 trait Hides {
-    /// Whether a light there is hidden.
+    /// Whether a light at this point is hidden.
     fn hides(&self, light: [f64; 3]) -> bool;
 
     /// Whether surely no light of a box is hidden.
@@ -132,17 +133,17 @@ impl Hides for Half<'_> {
     }
 }
 
-/// A number, and what its error is a share of.
+/// A number in f64, and the sum of magnitudes that its error is relative to.
 type Near = (f64, f64);
 
-/// |x - c|^2 - r^2.
+/// |x - c|^2 - r^2 in f64.
 fn power(sphere: &Sphere, x: [f64; 3]) -> Near {
     let d: [f64; 3] = std::array::from_fn(|i| x[i] - sphere.center[i]);
     let (square, r) = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2], sphere.radius * sphere.radius);
     (square - r, square + r)
 }
 
-/// normal · (x - point).
+/// normal · (x - point) in f64.
 fn height(normal: [f64; 3], point: [f64; 3], x: [f64; 3]) -> Near {
     let along: [f64; 3] = std::array::from_fn(|i| normal[i] * (x[i] - point[i]));
     (along[0] + along[1] + along[2], along[0].abs() + along[1].abs() + along[2].abs())
@@ -153,7 +154,7 @@ fn is_below((x, size): Near, exact: impl FnOnce() -> DoubleDouble) -> bool {
     if size > FAINT && x.abs() > DOUBT * size { x < 0.0 } else { exact() < DoubleDouble::default() }
 }
 
-/// Whether it is above 0.
+/// Whether a number is above 0; `exact` is asked where that is in doubt.
 fn is_above((x, size): Near, exact: impl FnOnce() -> DoubleDouble) -> bool {
     if size > FAINT && x.abs() > DOUBT * size { x > 0.0 } else { exact() > DoubleDouble::default() }
 }
@@ -162,23 +163,24 @@ fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// Lights in boxes in boxes.
+/// Lights in a tree of nested boxes.
 struct Lights {
     positions: Vec<[f64; 3]>,
     hidden: Vec<bool>,
-    /// Numbers of lights, those of a box side by side.
+    /// Indices of lights; the lights of a box stand side by side.
     order: Vec<usize>,
-    /// A box, then all boxes of its lower half, then all of its upper half.
+    /// The tree in depth-first order: a box, all boxes of its lower half, all of its upper half.
     boxes: Vec<Node>,
 }
 
 struct Node {
     least: [f64; 3],
     most: [f64; 3],
-    /// Its lights in `order`.
+    /// First of the box's lights in `order`.
     first: usize,
+    /// End of the box's lights in `order`.
     end: usize,
-    /// The box after those in it.
+    /// Index of the first box after this one that is not inside it.
     next: usize,
 }
 
@@ -197,7 +199,8 @@ impl Lights {
         lights
     }
 
-    /// Adds the box of some lights, and the boxes in it. As deep as the logarithm of their number.
+    /// Adds the box of some lights, and the boxes in it. Recurses as deep as the logarithm of their
+    /// number.
     fn divide(&mut self, first: usize, end: usize) {
         let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for &light in &self.order[first..end] {
@@ -227,7 +230,7 @@ impl Lights {
         let mut place = 0;
         while let Some(Node { least, most, first, end, next }) = self.boxes.get(place) {
             let lights = &self.order[*first..*end];
-            // One box, and few lights: to ask about each is as fast.
+            // With one box of few lights, asking about each light is as fast.
             if self.boxes.len() > 1 {
                 step();
                 if by.spares(*least, *most) {
@@ -253,7 +256,7 @@ mod tests {
     use super::{DoubleDouble, hidden_in_steps, power_of, scaled_height};
     use crate::{Draft, Light, MaterialId, Plane, Sphere};
 
-    /// Every primitive, every light, in double-double.
+    /// The plain answer: every primitive asked about every light, in double-double.
     fn all_pairs(scene: &Draft) -> Vec<bool> {
         let (zero, eye) = (DoubleDouble::default(), scene.camera.position);
         let apart = |eye, light| if eye < zero { light > zero } else { light < zero };
@@ -288,12 +291,14 @@ mod tests {
         Sphere { center, radius, material: MaterialId::at(0) }
     }
 
-    /// Primitives through lights and through the eye, and a hair off: where only double-double tells.
+    /// Primitives pass through lights and the eye, or a hair beside them, where only double-double
+    /// can tell.
     #[test]
     fn what_is_hidden_is_what_all_pairs_say() {
         let mut draws = Draws(3);
         let (mut some, mut none) = (0, 0);
         for round in 0..400 {
+            // Eye and lights first, so that primitives can be put through them.
             let mut scene = Draft::default();
             scene.camera.position = draws.point();
             scene.lights = (0..1 + round % 60).map(|_| light(draws.point())).collect();
@@ -304,6 +309,7 @@ mod tests {
                     x if x < 0.8 => scene.lights[i % scene.lights.len()].position,
                     _ => draws.point(),
                 };
+                // Exactly through, less than an ulp beside, some ulps, or clearly apart.
                 let off = [0.0, 1e-17, 1e-16, 1e-15, 1e-9][(draws.next() * 5.0) as usize];
                 let normal = draws.point();
                 let radius = scale * (0.01 + draws.next());
@@ -320,9 +326,10 @@ mod tests {
                     scene.spheres.push(ball(at(radius), radius * (1.0 + off)));
                 }
             }
-            // Lights that are the first one by all that f64 can tell.
+            // One more light that f64 arithmetic cannot tell from the first.
             let first = scene.lights[0].position;
             scene.lights.push(light(first.map(f64::next_up)));
+            // Rounds with both answers are counted, or the test could pass on empty scenes.
             let hidden = hidden_in_steps(&scene, &mut || ());
             assert_eq!(hidden, all_pairs(&scene), "round {round}: {scene:?}");
             some += usize::from(hidden.contains(&true));
@@ -339,7 +346,7 @@ mod tests {
         scene.camera.position = [9.0; 3];
         scene.lights = (0..1000).map(|_| light(draws.point())).collect();
         scene.spheres = (0..20_000).map(|_| ball(draws.point(), 0.01)).collect();
-        // Around everything, and over everything: no light is hidden by them.
+        // Spheres around everything and planes below everything hide no light.
         scene.spheres.extend((0..2000).map(|i| ball([0.0; 3], 100.0 + f64::from(i))));
         scene.planes = (0..2000)
             .map(|i| Plane {

@@ -27,22 +27,23 @@ pub struct Phong<S: Scalar = f32> {
 pub enum Power<S: Scalar = f32> {
     /// Whole p up to 1024: repeated squaring, from the lowest bit of p.
     Whole {
-        /// p.
+        /// The exponent p.
         exponent: u32,
-        /// -1 for p = 0, since 0^0 is 1.
+        /// Largest x whose power is 0; -1 for p = 0, since 0^0 is 1.
         cut: S,
     },
     /// Any other p: 2^(p log2 x).
     Real {
-        /// p.
+        /// The exponent p.
         exponent: S,
-        /// Never below the least normal number.
+        /// Largest x whose power is 0; never below the least normal number.
         cut: S,
     },
 }
 
 impl<S: Scalar> Power<S> {
-    /// Above it, squaring's error (about p/2 ulp) passes that of the exponential.
+    /// Largest p that is squared: above it, squaring's error (about p/2 ulp) passes the
+    /// exponential's.
     const LARGEST_WHOLE: f64 = 1024.0;
 
     fn new(p: f64) -> Self {
@@ -69,7 +70,7 @@ impl<S: Scalar> Power<S> {
 }
 
 impl<S: Scalar> Phong<S> {
-    /// Whether it sends back no light of a light: neither diffusely nor as a highlight.
+    /// Whether the material reflects no light's light, neither diffusely nor as a highlight.
     #[inline(always)]
     #[must_use]
     pub fn is_unlit(&self) -> bool {
@@ -96,7 +97,7 @@ impl<S: Scalar> Phong<S> {
     }
 }
 
-/// Different for different numbers.
+/// The bits of a number's f64: different for different numbers.
 fn bits<S: Scalar>(x: S) -> u64 {
     x.to_f64().to_bits()
 }

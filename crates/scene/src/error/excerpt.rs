@@ -6,7 +6,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
 use super::shown::{self, push_visible, width};
 
-/// Columns of a file's name.
+/// Most columns of a file's name.
 pub(super) const NAME: usize = 240;
 
 /// Line and column of a byte, both from 1, the column in characters. A byte past the end
@@ -19,8 +19,9 @@ pub(super) fn line_column(text: &str, byte: usize) -> (usize, usize) {
 }
 
 /// ` --> file:line:column` and the line, with the bytes of the span underlined as far as
-/// they lie on it. Of a long line only what is around them is shown.
+/// they lie on it. A long line is cut to what is around them.
 pub(super) fn render(file: &str, text: &str, line: usize, span: Range<usize>) -> String {
+    // Clamp the span to one line: it may end lines below, or past the text.
     let start = boundary(text, span.start);
     let (_, column) = line_column(text, start);
     let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
@@ -28,13 +29,14 @@ pub(super) fn render(file: &str, text: &str, line: usize, span: Range<usize>) ->
     let end = boundary(text, span.end.clamp(start, line_end));
     let ends = text[start..line_end].strip_suffix('\r').map_or(line_end, |_| line_end - 1);
 
-    // Columns are shared out: first to the marked part, then to what is before and behind it.
+    // Cut each part by itself, so that a long marked part leaves room for what is around it.
     let (marked, marked_whole) = front(&text[start..end.min(ends)], MARKED);
     let (before, before_whole) = back(&text[line_start..start], AROUND);
     let (behind, behind_whole) = match marked_whole {
         true => front(&text[end.min(ends)..ends], AROUND),
         false => (String::new(), false),
     };
+    // The mark's place is counted in what is shown, not in the text.
     let mut shown = String::new();
     shown += if before_whole { "" } else { CUT };
     shown += &before;
@@ -43,25 +45,26 @@ pub(super) fn render(file: &str, text: &str, line: usize, span: Range<usize>) ->
     shown += &behind;
     shown += if behind_whole { "" } else { CUT };
 
+    // The library draws the margin and the underline.
     let file = shown::shown(file, NAME);
     let snippet = Snippet::source(shown)
         .line_start(line)
         .path(&file)
         .annotation(AnnotationKind::Primary.span(mark));
     let rendered = Renderer::plain().render(&[Group::with_level(Level::ERROR).element(snippet)]);
-    // The renderer counts columns in what it is given, which may be less than the line.
+    // The renderer counts columns in the cut line, so its place is replaced by the true one.
     let (place, lines) = rendered.split_once('\n').unwrap_or((&rendered, ""));
     let (margin, _) = place.split_once("-->").unwrap_or_default();
     format!("{margin}--> {file}:{line}:{column}\n{lines}")
 }
 
-/// Columns of the marked part of a line.
+/// Most columns of the marked part of a line.
 const MARKED: usize = 60;
 
-/// Columns of a line before the marked part, and of those behind it.
+/// Most columns of a line before the marked part, and as many behind it.
 const AROUND: usize = 36;
 
-/// What stands for the part of a line that is not shown.
+/// Mark for the part of a line that is not shown.
 const CUT: &str = "...";
 
 /// The visible beginning of a part of a line, and whether that is all of it.
@@ -86,7 +89,7 @@ fn kept(characters: impl Iterator<Item = char>, most: usize) -> usize {
     ends.take_while(|columns| *columns <= most).count()
 }
 
-/// What a tab is shown as.
+/// Spaces that a tab is shown as.
 const TAB: &str = "    ";
 
 fn visible(c: char) -> String {
@@ -99,7 +102,7 @@ fn visible(c: char) -> String {
     text
 }
 
-/// The nearest place not after a byte where a character starts.
+/// The last character boundary that is not after a byte.
 fn boundary(text: &str, byte: usize) -> usize {
     (0..=byte.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }

@@ -2,13 +2,13 @@
 
 use super::{KeyPath, Trail, shown};
 
-/// Columns of a key's path, and of one key in it at most half as many.
+/// Most columns of a key's path; one key in it takes at most half as many.
 const PATH: usize = 160;
 
-/// Columns of what was found.
+/// Most columns of what was found.
 const FOUND: usize = 160;
 
-/// Columns of what is allowed, which may list names of the file.
+/// Most columns of what is allowed, which may list names of the file.
 const ALLOWED: usize = 480;
 
 /// What a message about a key points at.
@@ -25,7 +25,7 @@ pub(crate) enum Target {
 #[error("{}: found {}; allowed: {}", .path.shown(PATH), shown(.found, FOUND), shown(.allowed, ALLOWED))]
 pub(crate) struct Fault {
     pub(crate) path: KeyPath,
-    /// For a value that is out of range exactly the value, as `number` writes numbers.
+    /// What was found, in words. A value that is out of range stands exactly as `number` writes it.
     pub(crate) found: String,
     pub(crate) allowed: String,
     pub(crate) target: Target,
@@ -43,13 +43,13 @@ impl Fault {
     }
 }
 
-/// A number as messages and files write it: shortest text that reads back to the same bits
-/// (as a float), with an exponent where that is shorter to read. Legal in TOML and, where
-/// finite, in JSON.
+/// A number as messages and files write it: the shortest text that reads back to the same bits
+/// (as a float), with an exponent below 1e-5 and from 1e16 on. Legal in TOML and, where finite,
+/// in JSON.
 pub(crate) fn number(x: f64) -> String {
     let size = x.abs();
     if x == 0.0 {
-        // Without the fraction a reader takes -0 for the integer 0.
+        // A reader takes -0 without a fraction for the integer 0.
         if x.is_sign_negative() { "-0.0".to_owned() } else { "0".to_owned() }
     } else if x.is_nan() {
         "nan".to_owned()

@@ -7,9 +7,9 @@ use super::shown;
 /// One step of a path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Segment {
-    /// Into a table.
+    /// A key of a table.
     Key(String),
-    /// Into an array.
+    /// An index into an array.
     Index(usize),
 }
 
@@ -17,8 +17,8 @@ pub(crate) enum Segment {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct KeyPath(pub(crate) Vec<Segment>);
 
-/// A path that is being walked, linked from leaf to root on the stack, so that walking a
-/// scene without faults allocates nothing for it.
+/// A path that is being walked, linked from leaf to root on the stack. So walking a scene without
+/// faults allocates nothing for paths.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Trail<'a> {
     Root,
@@ -27,12 +27,12 @@ pub(crate) enum Trail<'a> {
 }
 
 impl Trail<'_> {
-    /// This path, and below it that key.
+    /// The path of a key below this path.
     pub(crate) fn key<'a>(&'a self, key: &'a str) -> Trail<'a> {
         Trail::Key(self, key)
     }
 
-    /// This path, and in it that entry.
+    /// The path of an entry below this path.
     pub(crate) fn index(&self, index: usize) -> Trail<'_> {
         Trail::Index(self, index)
     }
@@ -61,7 +61,7 @@ impl From<Trail<'_>> for KeyPath {
 }
 
 impl KeyPath {
-    /// Writes the path in at most about `most` columns; of a long key the ends are kept.
+    /// Writes the path in at most about `most` columns; a long key keeps its two ends.
     pub(super) fn shown(&self, most: usize) -> String {
         shown(&self.text(|key| shown(key, most / 2)), most)
     }

@@ -1,8 +1,8 @@
-//! Text of others, such as names and keys, as messages show it.
+//! Text that is not ours, such as names and keys of files, as messages show it.
 
 use std::fmt::Write;
 
-/// Writes a text of others on one line of at most about `most` columns.
+/// Writes a text that is not ours on one line of at most about `most` columns.
 ///
 /// Characters that a terminal would obey or hide stand as escapes: control characters, line
 /// breaks, marks of direction, invisible and private ones. A longer text loses its middle, and
@@ -31,7 +31,7 @@ pub fn shown(text: &str, most: usize) -> String {
     whole
 }
 
-/// Where the end of a text begins that takes at most so many columns.
+/// Byte at which the longest end of a text begins that takes at most `most` columns.
 fn back(text: &str, most: usize) -> usize {
     let mut columns = 0;
     let fits = |(_, c): &(usize, char)| {
@@ -50,7 +50,7 @@ pub(super) fn push_visible(c: char, to: &mut String) {
 pub(super) fn width(c: char) -> usize {
     match is_visible(c) {
         false => c.escape_default().len(),
-        // Letters of East Asia take two; which ones depends on the terminal.
+        // East Asian letters take two columns; which letters do depends on the terminal.
         true => 1 + usize::from(!c.is_ascii()),
     }
 }
@@ -61,8 +61,8 @@ pub fn is_visible(c: char) -> bool {
     if c.is_ascii() {
         return !c.is_ascii_control();
     }
-    // As the standard library sees it, which escapes the categories C and Z of Unicode. The
-    // letter in front keeps it from escaping what joins a letter, such as accents.
+    // The standard library escapes the categories C and Z of Unicode. The letter in front keeps
+    // it from escaping what joins a letter, such as accents.
     let mut pair = String::from("x");
     pair.push(c);
     pair.escape_debug().nth(1) == Some(c) && !is_blank(c)

@@ -1,8 +1,8 @@
-//! Balls that cannot meet: each keeps to a cell of its own.
+//! Spheres that cannot meet: each keeps to a cell of its own.
 
 use super::draws::Draws;
 
-/// A cube about the origin, cut into equal cubic cells, as few as hold that many balls.
+/// A cube about the origin, cut into equal cubic cells, as few as give each sphere its own.
 pub(super) struct Cells {
     /// Cells along one edge.
     per_edge: u32,
@@ -11,12 +11,12 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// Cells of that edge, at least `n` in all and at least one.
+    /// Makes cells of edge `cell`, at least `n` in all and at least one.
     pub(super) fn of_edge(n: u32, cell: f64) -> Self {
         Self { per_edge: edge(n), cell }
     }
 
-    /// A cube of that edge, cut into at least `n` cells.
+    /// Cuts a cube of edge `cube` into at least `n` cells.
     pub(super) fn of_cube(n: u32, cube: f64) -> Self {
         let per_edge = edge(n);
         Self { per_edge, cell: cube / f64::from(per_edge) }
@@ -32,9 +32,10 @@ impl Cells {
         self.cell * f64::from(self.per_edge) / 2.0
     }
 
-    /// `n` of the cells by chance, all choices alike (selection sampling: Knuth, The Art of
-    /// Computer Programming 3.4.2, algorithm S), as their lowest corners. In order of z,
-    /// then y, then x; one draw a cell.
+    /// Chooses `n` of the cells by chance, all choices alike; gives their lowest corners.
+    ///
+    /// Order: by z, then y, then x; one draw a cell.
+    /// Source: selection sampling (Knuth, The Art of Computer Programming 3.4.2, algorithm S).
     pub(super) fn choose(&self, n: u32, draws: &mut Draws) -> Vec<[f64; 3]> {
         let all = u64::from(self.per_edge).pow(3);
         let mut wanted = u64::from(n);
@@ -48,8 +49,8 @@ impl Cells {
         chosen
     }
 
-    /// A place for a ball's centre in a cell: the ball stays off the cell's walls by a
-    /// share of its edge that no rounding can use up. Three draws.
+    /// A place for a sphere's centre in a cell: the sphere stays off the cell's walls by a
+    /// share of the edge that no rounding can use up. Three draws.
     ///
     /// `radius` is at most [`Self::MOST_RADIUS`] cells.
     pub(super) fn place(&self, corner: [f64; 3], radius: f64, draws: &mut Draws) -> [f64; 3] {
@@ -58,7 +59,7 @@ impl Cells {
         corner.map(|at| at + margin + radius + free * draws.unit())
     }
 
-    /// Radius of the largest ball that a cell takes, in cells.
+    /// Radius of the largest sphere that a cell takes, in cells.
     pub(super) const MOST_RADIUS: f64 = 0.4;
 
     fn corner(&self, cell: u64) -> [f64; 3] {

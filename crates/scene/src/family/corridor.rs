@@ -1,4 +1,4 @@
-//! Two mirrors face each other, balls between them.
+//! Two mirrors that face each other, spheres between them.
 
 use super::draws::Draws;
 use super::palette::Palette;
@@ -7,20 +7,20 @@ use crate::{Draft, Light, Material, Plane, Sphere};
 
 /// Half the distance between the mirrors.
 const HALF: f64 = 4.0;
-/// Where the floor is.
+/// Height y of the floor.
 const FLOOR: f64 = -1.0;
-/// The balls' part of the floor: from the lower corner (x, z), and its size.
+/// Part of the floor that the spheres stand on: lower corner (x, z), and size.
 const BALLS: ([f64; 2], [f64; 2]) = ([-2.0, -3.5], [4.0, 5.5]);
 
 /// A corridor of mirrors: two that face each other at z = -4 and z = 4 on the axis x = y = 0,
-/// a matt floor at y = -1, and balls on it. The eye stands in front of one mirror and looks
+/// a matt floor at y = -1, and spheres on it. The eye stands in front of one mirror and looks
 /// at the other; nearly every ray between them runs to the scene's max_depth, which is 32.
 ///
-/// The seed decides colours, radii and places of the balls. Balls keep apart from each other
-/// and from the eye.
+/// The seed decides colours, radii and places of the spheres on the floor. They keep apart from
+/// each other and from the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corridor {
-    /// Balls, 0 to [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 5.
+    /// Spheres on the floor, 0 to [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 5.
     pub balls: u32,
     /// Mirror factor k of the mirrors, in [0, 1]. Default 0.92.
     pub reflect: f64,
@@ -39,7 +39,8 @@ impl Default for Corridor {
 }
 
 impl Corridor {
-    /// The scene: mirrors first, then balls; planes are mirrors, then the floor.
+    /// The scene. Spheres: mirrors that are spheres, then the ones on the floor. Planes: mirrors,
+    /// then the floor.
     ///
     /// # Errors
     /// The first parameter that is out of its range; nothing has been made then.
@@ -89,8 +90,8 @@ impl Corridor {
         }
     }
 
-    /// Balls on the floor, one in each of the first cells of a grid with as many rows as
-    /// columns, from the far end. Radius and place in the cell are by chance.
+    /// Adds the spheres on the floor, one in each of the first cells of a grid with as many rows as
+    /// columns, starting at the far end. Radius and place in the cell are by chance.
     fn add_balls(&self, draft: &mut Draft) {
         let mut draws = Draws::new(self.seed);
         let palette = Palette::new(&mut draws, [0.7, 0.3, 0.3], draft);

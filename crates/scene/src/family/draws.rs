@@ -11,7 +11,7 @@ use rand_pcg::rand_core::Rng;
 /// The stream: any constant, never to be changed.
 const STREAM: u128 = 0x0ca7_0b71c;
 
-/// Bits that decide a [`Draws::log_between`].
+/// Bits that decide one [`Draws::log_between`].
 const HALVINGS: u32 = 32;
 
 /// A sequence of random numbers.
@@ -24,15 +24,15 @@ impl Draws {
         Self(Pcg64::new(u128::from(seed), STREAM))
     }
 
-    /// In [0, 1): the top 53 bits of one draw, times 2^-53.
+    /// A number in [0, 1): the top 53 bits of one draw, times 2^-53.
     pub fn unit(&mut self) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "53 bits are exact in f64")]
         let integer = (self.0.next_u64() >> 11) as f64;
         integer * (1.0 / (1_u64 << 53) as f64)
     }
 
-    /// Uniform from `least` to `most`, from one [`Self::unit`]; rounding may step past `most`
-    /// by its last bit.
+    /// A uniform number from `least` to `most`, from one [`Self::unit`]; rounding may step past
+    /// `most` by its last bit.
     pub fn between(&mut self, least: f64, most: f64) -> f64 {
         least + (most - least) * self.unit()
     }
@@ -44,10 +44,12 @@ impl Draws {
         u64::try_from(product >> 64).expect("the high half of a product has 64 bits")
     }
 
-    /// Log-uniform in [least, most], both positive: one draw's highest 32 bits halve the
-    /// range 32 times at its geometric mean, a set bit keeping the upper half. No logarithm
-    /// is taken, since libm's differ between machines. Rounded means stay in the range,
-    /// because rounding keeps order and the rounded root of a rounded square is its number.
+    /// A log-uniform number in [least, most], both positive.
+    ///
+    /// One draw's highest 32 bits halve the range 32 times at its geometric mean, a set bit keeping
+    /// the upper half. No logarithm is taken, since libm's differ between machines. Rounded means
+    /// stay in the range, because rounding keeps order and the rounded root of a rounded square is
+    /// its number.
     pub fn log_between(&mut self, least: f64, most: f64) -> f64 {
         let bits = self.0.next_u64();
         let (mut low, mut high) = (least, most);

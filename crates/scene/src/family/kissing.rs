@@ -9,7 +9,7 @@ use crate::{Draft, Light, Sphere};
 /// Who touches whom.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Arrangement {
-    /// Each touches every other: 2, 3 or 4 spheres. The default.
+    /// A cluster, each touches every other: 2, 3 or 4 spheres. The default.
     #[default]
     Cluster,
     /// A ring, each touches two others: 3 spheres or more.
@@ -26,14 +26,14 @@ pub enum Arrangement {
 /// colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kissing {
-    /// Who touches whom. Default: each every other.
+    /// Who touches whom. Default: a cluster.
     pub arrangement: Arrangement,
     /// Spheres: 2 to 4 in a cluster; from 3 in a ring and from 2 in a chain, to
     /// [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 4.
     pub spheres: u32,
-    /// Their radius, in [1e-6, 1e6]. Default 1.
+    /// Radius of all spheres, in [1e-6, 1e6]. Default 1.
     pub radius: f64,
-    /// Their mirror factor k, in [0, 1]. Default 0.95.
+    /// Mirror factor k of all spheres, in [0, 1]. Default 0.95.
     pub reflect: f64,
     /// Any number. Default 0.
     pub seed: u64,
@@ -52,6 +52,7 @@ impl Kissing {
     /// # Errors
     /// The first parameter that is out of its range; nothing has been made then.
     pub fn draft(&self) -> Result<Draft, OutOfRange> {
+        // No more than four spheres can each touch every other.
         match self.arrangement {
             Arrangement::Cluster => parameter::count("spheres", self.spheres, 2..=4)?,
             Arrangement::Ring => parameter::balls("spheres", self.spheres, 3)?,
@@ -68,7 +69,7 @@ impl Kissing {
         };
         let mut draft = Draft::default();
         let palette = Palette::new(&mut draws, [0.6, 0.5, self.reflect], &mut draft);
-        // The whole fits into the view: tan 20 degrees is 0.36.
+        // All spheres fit into the view: tan 20 degrees is 0.36.
         let extent = reach + self.radius;
         draft.camera.position = [0.1 * extent, 0.15 * extent, 3.2 * extent];
         draft.camera.look_at = [0.0; 3];
@@ -78,6 +79,7 @@ impl Kissing {
         draft.render.ambient = [0.05; 3];
         let light = [4.0, 5.5, 6.0].map(|x| x * extent);
         draft.lights.push(Light { position: light, intensity: [0.8; 3] });
+        // The colours take turns along the ring or chain.
         let spheres = centers.into_iter().enumerate();
         draft.spheres = spheres
             .map(|(index, center)| Sphere {
@@ -106,8 +108,8 @@ impl Kissing {
         (centers, 2.0 * foot)
     }
 
-    /// Centres on a circle about the origin, seen from its axis. n chords of length 2r:
-    /// its radius is r / sin(half a turn / n).
+    /// Centres on a circle about the origin, seen from its axis. The chords between neighbours are
+    /// 2r long, so the circle's radius is r / sin(half a turn / n).
     fn ring(&self) -> (Vec<[f64; 3]>, f64) {
         let n = u64::from(self.spheres);
         let circle = self.radius / turn(1, 2 * n).1;

@@ -1,4 +1,4 @@
-//! Balls on a cubic grid.
+//! Spheres on a cubic grid.
 
 use super::draws::Draws;
 use super::palette::Palette;
@@ -9,18 +9,19 @@ use crate::{Draft, Light, Sphere};
 const MOST_EDGE: u32 = 100;
 const _: () = assert!(MOST_EDGE * MOST_EDGE * MOST_EDGE <= MOST_BALLS);
 
-/// A cube of n x n x n equal balls about the origin, one unit apart, seen from outside.
-/// Many candidates for every ray, none nearer than the next: for cost by number of bodies.
-/// max_depth is the format's default.
+/// A cube of n x n x n equal spheres about the origin, one unit apart, seen from outside.
+///
+/// Every ray has many candidates, none nearer than the next: the scene is for measuring cost by
+/// number of bodies. max_depth is the format's default.
 ///
 /// The seed decides colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lattice {
-    /// Balls along an edge, 1 to 100: n^3 in all, at most [`MOST_BALLS`]. Default 5.
+    /// Spheres along an edge, 1 to 100: n^3 in all, at most [`MOST_BALLS`]. Default 5.
     pub edge: u32,
-    /// Their radius, in [1e-6, 0.5]; at 0.5 they touch. Default 0.4.
+    /// Radius of all spheres, in [1e-6, 0.5]; at 0.5 they touch. Default 0.4.
     pub radius: f64,
-    /// Their mirror factor k, in [0, 1]. Default 0.3.
+    /// Mirror factor k of all spheres, in [0, 1]. Default 0.3.
     pub reflect: f64,
     /// Any number. Default 0.
     pub seed: u64,
@@ -33,7 +34,7 @@ impl Default for Lattice {
 }
 
 impl Lattice {
-    /// The scene: balls in order of z, then y, then x, from the least up.
+    /// The scene: spheres in order of z, then y, then x, the least first.
     ///
     /// # Errors
     /// The first parameter that is out of its range; nothing has been made then.
@@ -53,7 +54,7 @@ impl Lattice {
 
         let mut draws = Draws::new(self.seed);
         let palette = Palette::new(&mut draws, [0.7, 0.3, self.reflect], &mut draft);
-        // Half-integers or integers: exact.
+        // All coordinates are half-integers or integers, hence exact.
         let coordinate = |step: u32| f64::from(step) + 0.5 - half;
         for z in 0..self.edge {
             for y in 0..self.edge {

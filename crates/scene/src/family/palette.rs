@@ -3,12 +3,12 @@
 use super::draws::Draws;
 use crate::{Draft, Material, MaterialId};
 
-/// A few materials that differ in colour. Balls share them, since files write a shared
+/// A few materials that differ in colour. Spheres share them, since files write a shared
 /// material once and renderers compile it once.
 pub(super) struct Palette([MaterialId; 8]);
 
 impl Palette {
-    /// Eight colours, each with the same factors, added to a draft.
+    /// Adds materials of eight colours, all with the same factors, to a draft.
     pub(super) fn new(
         draws: &mut Draws,
         [diffuse, specular, reflect]: [f64; 3],
@@ -21,13 +21,13 @@ impl Palette {
         }))
     }
 
-    /// One of them, from one draw.
+    /// One of the materials by chance, from one draw.
     pub(super) fn any(&self, draws: &mut Draws) -> MaterialId {
         let index = draws.below(self.0.len() as u64);
         self.0[usize::try_from(index).expect("below eight")]
     }
 
-    /// By number; they repeat.
+    /// The material of a number; numbers past the last start again at the first.
     pub(super) fn at(&self, index: usize) -> MaterialId {
         self.0[index % self.0.len()]
     }

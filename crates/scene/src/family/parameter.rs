@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use crate::error::number;
 
-/// Balls of one scene, at most; mirrors, floors and walls come on top. A draft of so many
-/// takes about 40 MB.
+/// Most spheres of one scene; mirrors, floors and walls come on top. A draft of this many takes
+/// about 40 MB.
 pub const MOST_BALLS: u32 = 1_000_000;
 
 /// A parameter that is out of its range: which, what was found, what is allowed.
@@ -14,13 +14,13 @@ pub const MOST_BALLS: u32 = 1_000_000;
 pub struct OutOfRange {
     /// The field of the family's struct.
     pub parameter: &'static str,
-    /// Its value.
+    /// The value found.
     pub found: String,
     /// The range, in words.
     pub allowed: String,
 }
 
-/// A number in its range; NaN never is.
+/// Checks that a number is in its range; NaN never is.
 pub(super) fn real(
     parameter: &'static str,
     found: f64,
@@ -34,7 +34,7 @@ pub(super) fn real(
     Err(OutOfRange { parameter, found: number(found), allowed })
 }
 
-/// A count in its range.
+/// Checks that a count is in its range.
 pub(super) fn count(
     parameter: &'static str,
     found: u32,
@@ -47,12 +47,12 @@ pub(super) fn count(
     Err(OutOfRange { parameter, found: found.to_string(), allowed })
 }
 
-/// A number of balls, from `least` to [`MOST_BALLS`].
+/// Checks a number of spheres: from `least` to [`MOST_BALLS`].
 pub(super) fn balls(parameter: &'static str, found: u32, least: u32) -> Result<(), OutOfRange> {
     count(parameter, found, least..=MOST_BALLS)
 }
 
-/// The factor of a mirror.
+/// Checks the factor of a mirror: from 0 to 1.
 pub(super) fn reflect(found: f64) -> Result<(), OutOfRange> {
     real("reflect", found, 0.0..=1.0)
 }

@@ -1,4 +1,4 @@
-//! A cloud of balls.
+//! A cloud of spheres.
 
 use super::cells::Cells;
 use super::draws::Draws;
@@ -7,33 +7,33 @@ use super::parameter::{self, OutOfRange};
 use crate::error::number;
 use crate::{Draft, Light, Material, Plane, Sphere};
 
-/// Whether balls may overlap.
+/// Whether spheres may overlap.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Placement {
-    /// No two balls meet: each has a cell of its own, of edge 2.5 times the largest radius.
+    /// No two spheres meet: each has a cell of its own, of edge 2.5 times the largest radius.
     /// The default.
     #[default]
     Apart,
-    /// Centres anywhere in the same cube: balls may overlap and lie inside one another.
+    /// Centres stand anywhere in the same cube: spheres may overlap and lie inside one another.
     Anywhere,
 }
 
-/// A cloud of balls in a cube about the origin, above a matt floor, seen from outside.
-/// Radii are log-uniform, so each decade has as many balls as the next. max_depth is the
+/// A cloud of spheres in a cube about the origin, above a matt floor, seen from outside.
+/// Radii are log-uniform, so each decade has as many spheres as the next. max_depth is the
 /// format's default.
 ///
 /// The seed decides colours, radii and places.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Random {
-    /// Balls, 0 to [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 100.
+    /// Spheres, 0 to [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 100.
     pub balls: u32,
     /// Smallest radius, in [1e-9, 1e9], at most `max_radius`. Default 0.1.
     pub min_radius: f64,
     /// Largest radius, in [1e-9, 1e9]. Default 1.
     pub max_radius: f64,
-    /// Whether balls may overlap. Default: no.
+    /// Whether spheres may overlap. Default: no.
     pub placement: Placement,
-    /// Mirror factor k of the balls, in [0, 1]. Default 0.3.
+    /// Mirror factor k of the spheres, in [0, 1]. Default 0.3.
     pub reflect: f64,
     /// Any number. Default 0.
     pub seed: u64,
@@ -53,7 +53,7 @@ impl Default for Random {
 }
 
 impl Random {
-    /// The scene: the balls; apart, in order of their cells.
+    /// The scene: the spheres, ordered by their cells where they keep apart.
     ///
     /// # Errors
     /// The first parameter that is out of its range; nothing has been made then.
@@ -61,6 +61,7 @@ impl Random {
         parameter::balls("balls", self.balls, 0)?;
         parameter::real("max_radius", self.max_radius, 1e-9..=1e9)?;
         parameter::real("min_radius", self.min_radius, 1e-9..=1e9)?;
+        // Either radius may be legal alone; only together are they a range.
         if self.min_radius > self.max_radius {
             return Err(OutOfRange {
                 parameter: "min_radius",
@@ -74,7 +75,8 @@ impl Random {
         parameter::reflect(self.reflect)?;
 
         let cells = Cells::of_edge(self.balls, self.max_radius / Cells::MOST_RADIUS);
-        // No ball of the cloud reaches further than this from the origin, along an axis.
+        // No sphere of the cloud reaches further than this from the origin, along an axis. Eye,
+        // lights and floor scale with it, so every cloud fills the picture alike.
         let half = cells.half() + self.max_radius;
         let at = |point: [f64; 3]| point.map(|x| x * half);
         let mut draft = Draft::default();
@@ -84,6 +86,7 @@ impl Random {
         draft.render.background = [0.35, 0.5, 0.75];
         draft.lights.push(Light { position: at([8.0, 20.0, 12.0]), intensity: [0.7; 3] });
         draft.lights.push(Light { position: at([-16.0, 12.0, 8.0]), intensity: [0.25; 3] });
+        // The floor is below every sphere, so it cuts none.
         draft.planes.push(Plane {
             point: at([0.0, -1.1, 0.0]),
             normal: [0.0, 1.0, 0.0],

@@ -1,4 +1,4 @@
-//! A closed mirror sphere, balls and the eye inside.
+//! A closed mirror sphere, spheres and the eye inside.
 
 use super::cells::Cells;
 use super::draws::Draws;
@@ -6,17 +6,17 @@ use super::palette::Palette;
 use super::parameter::{self, OutOfRange};
 use crate::{Draft, Light, Material, Sphere};
 
-/// A closed room: a mirror sphere about the origin with balls, the eye and the light inside.
+/// A closed room: a mirror sphere about the origin; spheres, the eye and the light are inside.
 /// No ray escapes, so every path runs to the scene's max_depth, which is 64, and small errors
 /// grow from mirror to mirror. The background would show as magenta where a ray leaked.
 ///
-/// The seed decides colours, radii and places of the balls, which fill a cube inside the
-/// room. They keep apart from each other, from the wall, the eye and the light.
+/// The seed decides colours, radii and places of the spheres inside, which fill a cube. They keep
+/// apart from each other, from the wall, the eye and the light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Room {
     /// Radius R of the room, in [1e-3, 1e9]. Default 10.
     pub radius: f64,
-    /// Balls, 0 to [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 5.
+    /// Spheres inside the room, 0 to [`MOST_BALLS`](super::parameter::MOST_BALLS). Default 5.
     pub balls: u32,
     /// Mirror factor k of the wall, in [0, 1]. Default 0.9.
     pub reflect: f64,
@@ -31,7 +31,7 @@ impl Default for Room {
 }
 
 impl Room {
-    /// The scene: the room's sphere first, then the balls.
+    /// The scene: the room's sphere first, then the spheres inside.
     ///
     /// # Errors
     /// The first parameter that is out of its range; nothing has been made then.
@@ -42,7 +42,7 @@ impl Room {
         let at = |point: [f64; 3]| point.map(|x| x * self.radius);
 
         let mut draft = Draft::default();
-        // Eye and light are inside the sphere and outside the cube of the balls.
+        // Eye and light are inside the room and outside the cube of the spheres.
         draft.camera.position = at([0.13, 0.07, 0.8]);
         draft.camera.look_at = at([-0.04, -0.03, 0.0]);
         draft.camera.fov = 70.0;
@@ -51,6 +51,7 @@ impl Room {
         draft.render.ambient = [0.05; 3];
         draft.lights.push(Light { position: at([-0.2, 0.75, 0.25]), intensity: [0.7; 3] });
 
+        // The wall has little diffuse light and highlight beside its mirror.
         let material = Material {
             color: [0.35, 0.4, 0.5],
             diffuse: 0.25,
@@ -63,7 +64,7 @@ impl Room {
 
         let mut draws = Draws::new(self.seed);
         let palette = Palette::new(&mut draws, [0.6, 0.4, 0.4], &mut draft);
-        // Half an edge is below 1/sqrt 3 of the radius: the cube's corners are inside.
+        // Half an edge is below 1/sqrt 3 of the radius: the cube's corners are inside the room.
         let cells = Cells::of_cube(self.balls, 1.1 * self.radius);
         for corner in cells.choose(self.balls, &mut draws) {
             let radius = cells.cell() * draws.between(0.2, Cells::MOST_RADIUS);

@@ -1,4 +1,4 @@
-//! A ball with nine children, each with nine children, ...
+//! A sphere with nine children, each with nine children, ...
 //!
 //! The construction is Haines' ("A Proposal for Standard Graphics Environments", IEEE
 //! Computer Graphics and Applications 7(11), 1987, database `balls`), whose ray counts are
@@ -16,31 +16,32 @@ use super::palette::Palette;
 use super::parameter::{self, MOST_BALLS, OutOfRange};
 use crate::{Draft, Light, Material, Plane, Sphere};
 
-/// Children of a ball.
+/// Children of a sphere.
 const CHILDREN: u32 = 9;
-/// Radius of the first ball, about the origin.
+/// Radius of the first sphere, about the origin.
 const RADIUS: f64 = 0.5;
-/// Height of the ground, which the first ball touches.
+/// Height of the ground, which the first sphere touches.
 const GROUND: f64 = -RADIUS;
-/// Levels at most: one more would pass [`MOST_BALLS`].
+/// Most levels: one more would pass [`MOST_BALLS`].
 const MOST_LEVELS: u32 = 6;
 const _: () = assert!(matches!(balls(MOST_LEVELS), Some(all) if all <= MOST_BALLS));
 
-/// Rows are the directions of one's own x, y and z axes.
+/// A frame: its rows are the directions of its x, y and z axes.
 type Frame = [[f64; 3]; 3];
 
-/// A sphereflake of 1, 10, 91, 820, 7381, 66430 or 597871 balls on a matt ground, z upwards:
-/// the camera, the places of the three lights, the ground and the sky of the database
-/// `balls`. The first ball has radius 0.5; max_depth is 5. With four levels, rays can be
-/// counted against the published counts. Their depth 5 counts the eye ray, so it is
-/// max_depth 4, and their ground ends: it is a square of edge 24.
+/// A sphereflake of 1, 10, 91, 820, 7381, 66430 or 597871 spheres on a matt ground, z upwards.
+///
+/// The camera, the places of the three lights, the ground and the sky are those of the database
+/// `balls`. The first sphere has radius 0.5; max_depth is 5. With four levels, rays can be
+/// counted against the published counts. The published depth 5 counts the eye ray, so it is
+/// max_depth 4 here; the published ground ends, a square of edge 24.
 ///
 /// The seed decides the colours, one for each level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphereflake {
-    /// Generations after the first ball, 0 to 6. Default 4.
+    /// Generations after the first sphere, 0 to 6. Default 4.
     pub levels: u32,
-    /// Mirror factor k of the balls, in [0, 1]. Default 0.5.
+    /// Mirror factor k of the flake's spheres, in [0, 1]. Default 0.5.
     pub reflect: f64,
     /// Radius of a sphere that stands for the ground, in [10, 1e12]; `None`, the default,
     /// makes it a plane.
@@ -56,8 +57,8 @@ impl Default for Sphereflake {
 }
 
 impl Sphereflake {
-    /// The scene: each ball before its children and each child's descendants before the
-    /// next child; a ground that is a sphere comes before all balls.
+    /// The scene: each sphere before its children, and each child's descendants before the next
+    /// child; a ground that is a sphere comes before all of them.
     ///
     /// # Errors
     /// The first parameter that is out of its range; nothing has been made then.
@@ -67,6 +68,7 @@ impl Sphereflake {
         if let Some(radius) = self.ground_radius {
             parameter::real("ground_radius", radius, 10.0..=1e12)?;
         }
+        // Camera, lights and sky as the database has them.
         let mut draft = Draft::default();
         draft.camera.position = [2.1, 1.3, 1.7];
         draft.camera.look_at = [0.0; 3];
@@ -77,6 +79,7 @@ impl Sphereflake {
         for position in [[4.0, 3.0, 2.0], [1.0, -4.0, 4.0], [-3.0, 1.0, 5.0]] {
             draft.lights.push(Light { position, intensity: [0.4; 3] });
         }
+        // The ground touches the first sphere, whichever shape it has.
         let material = Material { diffuse: 0.8, ..Material::matt([1.0, 0.75, 0.33]) };
         let material = draft.materials.add(material);
         match self.ground_radius {
@@ -91,6 +94,7 @@ impl Sphereflake {
         }
         let palette =
             Palette::new(&mut Draws::new(self.seed), [0.5, 0.5, self.reflect], &mut draft);
+        // Reserved at once: growing would copy up to half a million spheres again and again.
         let balls = balls(self.levels).expect("the levels are in range");
         draft.spheres.reserve(balls as usize);
         let family = Family { levels: self.levels, turns: turns(), palette };
@@ -100,7 +104,8 @@ impl Sphereflake {
     }
 }
 
-/// Balls of so many levels: 1 + 9 + 81 + ...; `None` where a u32 cannot hold them.
+/// Spheres of a flake with `levels` generations after the first: 1 + 9 + 81 + ...; `None` where a
+/// u32 cannot hold the number.
 const fn balls(levels: u32) -> Option<u32> {
     let (mut all, mut level) = (1_u32, 0);
     while level < levels {
@@ -111,16 +116,16 @@ const fn balls(levels: u32) -> Option<u32> {
     Some(all)
 }
 
-/// What all balls have in common.
+/// What all spheres of the flake have in common.
 struct Family {
     levels: u32,
-    /// A child's frame in its parent's, for each of the nine; row z is its direction.
+    /// Frames of the nine children in their parent's frame; row z is the child's direction.
     turns: [Frame; 9],
     palette: Palette,
 }
 
 impl Family {
-    /// A ball and its descendants. As many calls are under way at once as there are levels.
+    /// Adds a sphere and its descendants. Recurses as deep as there are levels.
     fn add(
         &self,
         center: [f64; 3],
@@ -143,12 +148,12 @@ impl Family {
     }
 }
 
-/// A vector of a frame, in the world.
+/// Turns a vector from a frame into the world's axes.
 fn outward(v: [f64; 3], frame: &Frame) -> [f64; 3] {
     [0, 1, 2].map(|i| v[0] * frame[0][i] + v[1] * frame[1][i] + v[2] * frame[2][i])
 }
 
-/// For each child the frame that the shortest turn from z to its direction makes of x, y, z.
+/// Frames of the children: what the shortest turn from z to each direction makes of x, y and z.
 fn turns() -> [Frame; 9] {
     directions().map(|[a, b, c]| {
         // Rodrigues' formula for the axis z x (a, b, c); c is 0 or above, so 1 + c is not 0.
@@ -157,7 +162,7 @@ fn turns() -> [Frame; 9] {
     })
 }
 
-/// The nine directions. The axis z is the diagonal of the cubic packing, and latitude
+/// Directions of the nine children. The axis z is the diagonal of the cubic packing, and latitude
 /// asin(2/sqrt 6) has cosine 1/sqrt 3.
 fn directions() -> [[f64; 3]; 9] {
     // 15, 75, ... degrees on the equator, 45, 165 and 285 above it: between two of the six.

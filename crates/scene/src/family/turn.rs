@@ -1,6 +1,6 @@
 //! Cosine and sine of parts of a turn.
 
-/// (cos, sin) of k/n of a turn; 0 <= k < n, n at most 2^32.
+/// Cosine and sine of k/n of a turn; 0 <= k < n, n at most 2^32.
 ///
 /// Error: below 2^-52 absolute. The same bits everywhere, unlike libm's: the octant is
 /// exact in integers, then both Taylor series run to their last bit on [0, pi/4].

@@ -1,8 +1,8 @@
 //! Values to draft: which keys there are, and their defaults.
 //!
 //! A scene arrives value by value, in any order: the settings, and each body and material on its
-//! own. So there is never a tree of the whole scene. A body that names a material may come before
-//! it: the draft then holds a stand-in until the file states it.
+//! own. Thus there is never a tree of the whole scene. A body may come before the material that it
+//! names: the draft then holds a stand-in until the file states the material.
 
 use std::collections::BTreeMap;
 
@@ -40,7 +40,7 @@ pub(super) enum List {
 }
 
 impl List {
-    /// The list of that key.
+    /// The list that a key holds, if it holds one.
     pub(super) fn of_key(key: &str) -> Option<Self> {
         [Self::Lights, Self::Spheres, Self::Planes].into_iter().find(|list| list.key() == key)
     }
@@ -58,28 +58,28 @@ impl List {
 pub(super) struct Reader {
     draft: Draft,
     memory: Memory,
-    /// The first fault. What comes after it is not read, only parsed: broken syntax comes first.
+    /// The first fault. After it, text is parsed but not read: broken syntax is reported first.
     fault: Option<Fault>,
     names: Names,
 }
 
-/// Materials by name: those that are stated, and those that bodies name.
+/// Materials by name: stated by the file, or named by a body.
 #[derive(Default)]
 struct Names(BTreeMap<String, Named>);
 
 #[derive(Clone, Copy)]
 struct Named {
     id: MaterialId,
-    /// Whether the file has stated it yet. Until then the draft holds a stand-in.
+    /// Whether the file has stated the material yet. Until then the draft holds a stand-in.
     stated: bool,
 }
 
-/// Bytes that a name takes beside its letters: its entries here and in the draft, and its share of
+/// Bytes that a name takes beside its letters: entries here and in the draft, and a share of
 /// half-full nodes.
 const NAME_BYTES: u64 = 240;
 
 impl Names {
-    /// The material of that name, which may be stated further on.
+    /// The material of a name; adds a stand-in if the name is new, as the file may state it later.
     fn named(
         &mut self,
         name: &str,
@@ -122,17 +122,17 @@ impl Reader {
         &self.memory
     }
 
-    /// A key of the top level, before its value.
+    /// Checks a key of the top level, before its value.
     pub(super) fn key(&mut self, key: &str) {
         self.keep(check_key(key, &Trail::Root, &KEYS));
     }
 
-    /// The whole scene, where it is no table.
+    /// Keeps the fault of a scene that is not a table.
     pub(super) fn not_a_table(&mut self, value: &Value) {
         self.keep(Table::open(value, &Trail::Root, &KEYS).map(|_| ()));
     }
 
-    /// A key of the top level that is read whole. Unknown ones were found by their key.
+    /// Reads a top-level value that comes whole. Unknown keys were refused by [`Self::key`].
     pub(super) fn setting(&mut self, key: &str, value: &Value) {
         let trail = Trail::Root.key(key);
         let at = (value, trail);
@@ -154,7 +154,7 @@ impl Reader {
         self.keep(read);
     }
 
-    /// The next entry of a list.
+    /// Reads the next entry of a list.
     ///
     /// # Errors
     /// The memory is not enough; faults are kept.
@@ -188,7 +188,7 @@ impl Reader {
         }
     }
 
-    /// A material and its name; false if there is one of that name already.
+    /// Reads a material of a name; false if the file stated that name before.
     ///
     /// # Errors
     /// The memory is not enough; faults are kept.
@@ -305,7 +305,7 @@ fn light((value, trail): (&Value, Trail<'_>)) -> Result<Light, Fault> {
     })
 }
 
-/// A sphere, whose material is added to the draft's.
+/// Reads a sphere; its material is added to the draft's, or looked up by name.
 fn sphere(
     (value, trail): (&Value, Trail<'_>),
     names: &mut Names,
@@ -321,7 +321,7 @@ fn sphere(
     Ok(Sphere { center, radius, material })
 }
 
-/// A plane, whose material is added to the draft's.
+/// Reads a plane; its material is added to the draft's, or looked up by name.
 fn plane(
     (value, trail): (&Value, Trail<'_>),
     names: &mut Names,
@@ -343,7 +343,7 @@ fn body_keys([first, second]: [&'static str; 2]) -> [&'static str; 8] {
     [first, second, "material", color, diffuse, specular, shininess, reflect]
 }
 
-/// A body's material: inline, which makes it one of its own, or the one that it names, never both.
+/// Reads a body's material: stated inline, which adds a material, or named, never both.
 fn body_material(
     table: &Table<'_>,
     names: &mut Names,
@@ -372,7 +372,7 @@ fn body_material(
     Ok(names.named(name, materials, memory)?.id)
 }
 
-/// The keys of a material, wherever they stand.
+/// Reads the keys of a material, in a table of its own or inline in a body.
 fn material(table: &Table<'_>, color_allowed: &str) -> Result<Material, Fault> {
     let color = table.triple("color", RGB, &AMOUNT)?;
     let default = Material::matt(color.ok_or_else(|| table.missing("color", color_allowed))?);

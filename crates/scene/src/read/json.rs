@@ -18,7 +18,7 @@ use value::{ValueSeed, ValueVisitor, twice};
 
 /// Reads a text. The parser refuses nesting deeper than 127, so recursion ends.
 pub(super) fn read(name: &str, text: &str, reader: &mut Reader) -> Result<(), SceneError> {
-    // Beside the entries there is at most one long text, for a moment.
+    // Beside the entries the parser holds at most one long text, for a moment.
     let refused = |problem| SceneError::of_file(name, problem);
     reader.memory().for_a_moment(text.len() as u64).map_err(refused)?;
     let mut stopped = None;
@@ -41,7 +41,7 @@ pub(super) fn read(name: &str, text: &str, reader: &mut Reader) -> Result<(), Sc
     }
 }
 
-/// Broken syntax, with its place.
+/// The error of broken syntax, with its place.
 fn broken(name: &str, text: &str, error: &serde_json::Error) -> SceneError {
     // The parser appends the place, which this program words itself.
     let message = error.to_string();
@@ -52,16 +52,16 @@ fn broken(name: &str, text: &str, error: &serde_json::Error) -> SceneError {
     SceneError::from(Problem::Syntax(message)).at(name, text, byte)
 }
 
-/// The byte that a place of the parser's means: its lines count from 1, its columns are the
-/// bytes of the line that were read. Column 0 is the line break before.
+/// The byte that the parser's line and column mean. Lines count from 1; the column is how many
+/// bytes of the line were read, so column 0 is the line break before.
 fn last_read(text: &str, line: usize, column: usize) -> usize {
     let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
     (before + column).saturating_sub(1)
 }
 
-/// The parser's message, for those who do not know how it reads.
+/// The parser's message, for people who do not know how the parser reads.
 fn explained(message: &str, text: &str, byte: usize) -> String {
-    // What some programs write for a number that JSON does not have.
+    // Some programs write these words for numbers that JSON does not have.
     let rest = text.get(byte..).unwrap_or_default();
     if let Some(word) = ["NaN", "Infinity"].iter().find(|word| rest.starts_with(**word)) {
         return format!("found {word}; allowed: finite numbers");
@@ -81,7 +81,7 @@ fn explained(message: &str, text: &str, byte: usize) -> String {
     }
 }
 
-/// Where in a scene a value stands whose parts are read one by one.
+/// A value of the scene whose parts are read one by one.
 #[derive(Clone, Copy)]
 enum Place {
     Top,
@@ -89,12 +89,12 @@ enum Place {
     Materials,
 }
 
-/// Reads the value of a place, part by part; what is neither the table nor the list that belongs
-/// there comes back as it is.
+/// Reads the value of a place, part by part. A value of another type than belongs there comes back
+/// whole.
 struct At<'a> {
     place: Place,
     reader: &'a mut Reader,
-    /// Why reading ended, where the text is not to blame.
+    /// Why reading ended, if not because of the text.
     stopped: &'a mut Option<Problem>,
 }
 
@@ -165,6 +165,7 @@ impl<'de> Visitor<'de> for At<'_> {
     fn visit_map<A: MapAccess<'de>>(mut self, mut entries: A) -> Result<Option<Value>, A::Error> {
         match self.place {
             Place::List(_) => return ValueVisitor::TOP.visit_map(entries).map(Some),
+            // Names are the keys here. The reader knows which it has seen.
             Place::Materials => {
                 while let Some(name) = entries.next_key::<String>()? {
                     let value = entries.next_value_seed(ValueSeed::TOP)?;
@@ -175,6 +176,7 @@ impl<'de> Visitor<'de> for At<'_> {
                 }
             }
             Place::Top => {
+                // Serde accepts a key twice; the format does not.
                 let mut seen = [false; KEYS.len()];
                 while let Some(key) = entries.next_key::<String>()? {
                     self.reader.key(&key);
@@ -183,6 +185,7 @@ impl<'de> Visitor<'de> for At<'_> {
                     {
                         return Err(twice(&key));
                     }
+                    // Lists and materials are read in parts, so that no tree of them is made.
                     let place = match List::of_key(&key) {
                         Some(list) => Some(Place::List(list)),
                         None => (key == MATERIALS).then_some(Place::Materials),

@@ -1,4 +1,4 @@
-//! Where a key's value stands.
+//! The place of a key's value in the text.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use crate::error::Segment;
 
 /// A key's value in the text.
 pub(super) struct Located {
-    /// Its bytes, or those of the key if that was asked for.
+    /// Bytes of the value, or of the key if that was asked for.
     pub(super) span: Range<usize>,
     pub(super) value: Value,
     /// Segments of the path that were walked: fewer than all where a number stands for an

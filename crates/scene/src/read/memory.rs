@@ -4,16 +4,15 @@ use crate::error::Problem;
 
 /// Bytes that reading may take, beside the text itself.
 ///
-/// What is kept is counted as it grows. What is there for a moment only, such as the parsed values
-/// of a part of the text, is checked beforehand against what is left, and against what the system
-/// grants: parsers cannot report that memory was refused, they end the program.
+/// Lasting memory is counted as it grows. Passing memory, such as the parsed values of a part of
+/// the text, is checked beforehand against what is left and against what the system grants: parsers
+/// cannot report that memory was refused, they end the program.
 pub(super) struct Memory {
     limit: u64,
     left: u64,
 }
 
-/// Bytes that the system must have beside those that were asked for: small things that are not
-/// counted one by one.
+/// Bytes that the system must grant on top of a request, for small things that are not counted.
 const SLACK: u64 = 1 << 18;
 
 impl Memory {
@@ -39,13 +38,13 @@ impl Memory {
             return Err(Problem::Limit(self.limit));
         }
         let asked = usize::try_from(bytes.saturating_add(SLACK)).unwrap_or(usize::MAX);
-        // Seen from outside, or the compiler would leave out what is given back at once.
+        // The black box keeps the compiler from leaving out memory that is given back at once.
         let probe = std::hint::black_box(Vec::<u8>::new()).try_reserve_exact(asked);
         probe.map_err(|_| Problem::NotGranted(bytes))
     }
 
-    /// Adds an entry to a list, whose bytes are counted. While a list grows, the old and the new
-    /// one are there together.
+    /// Adds an entry to a list and counts the list's bytes. While a list grows, the old and the new
+    /// one are in memory together.
     ///
     /// # Errors
     /// No room within the limit, or in the system's memory.
@@ -61,7 +60,7 @@ impl Memory {
     fn grow<T>(&mut self, list: &mut Vec<T>) -> Result<(), Problem> {
         let size = size_of::<T>() as u64;
         let old = list.capacity() as u64;
-        // By the half, or, where that is too much, by a sixteenth.
+        // Grows by a half or, where that is too much, by a sixteenth.
         let fits = |more: &u64| (old + more).saturating_mul(size) <= self.left;
         let more = [(old / 2).max(64), (old / 16).max(64)].into_iter().find(fits);
         let more = more.ok_or(Problem::Limit(self.limit))?;

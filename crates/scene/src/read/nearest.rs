@@ -1,10 +1,10 @@
-//! Which known word was probably meant, and how known words are listed.
+//! Guesses which known word was meant, and lists known words.
 
 /// Letters of the longest word that is compared with the known ones.
 const LONGEST: usize = 64;
 
-/// The known word that was probably meant: the nearest one, if at most a third of the
-/// letters differ, or else one of which `word` is a part, as `depth` is of `max_depth`.
+/// The known word that was probably meant: the nearest one, if at most a third of the letters
+/// differ; else one that has `word` as a part, as `max_depth` has `depth`.
 ///
 /// Words of more than [`LONGEST`] letters get no answer: nobody reads them letter by letter, and
 /// comparing them would take the square of their length. The time is linear in the known words.
@@ -34,7 +34,7 @@ fn distance(a: &str, b: &str, limit: usize) -> usize {
     strsim::levenshtein(a, b)
 }
 
-/// The known words, the first twenty of them, and the one that was probably meant.
+/// Lists the first twenty known words, and the one that was probably meant.
 pub(super) fn list<'a>(
     word: &str,
     known: impl ExactSizeIterator<Item = &'a str> + Clone,

@@ -7,15 +7,15 @@ use super::value::Value;
 use crate::error::{Fault, Trail};
 use crate::validate::allowed::Allowed;
 
-/// A table all of whose keys are known ones. Each question about a key answers `None`
-/// where the table does not have it, and names the key where its value has another type.
+/// A table whose keys are all known. Each method answers `None` where the table does not have the
+/// key, and an error that names the key where its value has another type.
 pub(super) struct Table<'a> {
     pub(super) trail: &'a Trail<'a>,
     entries: &'a BTreeMap<String, Value>,
 }
 
 impl<'a> Table<'a> {
-    /// A value as a table with those keys and no others.
+    /// Opens a value as a table that may have the `known` keys and no others.
     pub(super) fn open(
         value: &'a Value,
         trail: &'a Trail<'a>,
@@ -41,7 +41,7 @@ impl<'a> Table<'a> {
         Fault::new(self.trail.key(key), "nothing, and it is required".to_owned(), allowed)
     }
 
-    /// A number; an integer is one too.
+    /// A number, written with a fraction or without.
     pub(super) fn number(&self, key: &'a str, allowed: &Allowed) -> Result<Option<f64>, Fault> {
         let Some((value, trail)) = self.get(key) else {
             return Ok(None);
@@ -94,7 +94,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Text.
+    /// A text.
     pub(super) fn text(&self, key: &'a str, allowed: &str) -> Result<Option<&'a str>, Fault> {
         match self.get(key) {
             None => Ok(None),
@@ -103,7 +103,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// One of some words.
+    /// The meaning of one of two words.
     pub(super) fn word<T: Copy>(
         &self,
         key: &'a str,
@@ -121,7 +121,7 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Whether a table may have that key.
+/// Checks that a table may have a key.
 pub(super) fn check_key(key: &str, trail: &Trail<'_>, known: &[&'static str]) -> Result<(), Fault> {
     if known.contains(&key) {
         return Ok(());

@@ -1,8 +1,7 @@
 //! TOML text to a draft, part by part.
 //!
-//! The parser makes a tree of all that it is given, fifty times as large as its text. So a long
-//! text is cut into parts between its tables (`parts`), each a TOML text of its own, and one of
-//! them is parsed at a time.
+//! The parser's tree is fifty times as large as its text. Therefore a long text is cut into parts
+//! between its tables (`parts`), each a TOML text of its own, and one part is parsed at a time.
 
 mod parts;
 mod value;
@@ -35,14 +34,14 @@ pub(super) fn read(name: &str, text: &str, reader: &mut Reader) -> Result<(), Sc
         })?;
         read_part(root.into_inner(), reader).map_err(|stop| match stop {
             Stop::Problem(problem) => refused(problem),
-            // As the parser says it of two in one part.
+            // The parser's own words for a name twice in one part.
             Stop::Twice(key) => broken("duplicate key".to_owned(), part.place(key)),
         })?;
     }
     Ok(())
 }
 
-/// The parser's message, for those who do not know how it reads.
+/// The parser's message, with a hint where the text looks like JSON.
 fn explained(error: &Error, text: &str) -> String {
     let mut message = error.message().to_owned();
     if starts_like_json(text.as_bytes()) {
@@ -71,7 +70,7 @@ fn read_part(mut root: DeTable<'_>, reader: &mut Reader) -> Result<(), Stop> {
                 }
             }
             (DeValue::Table(named), None) if key == MATERIALS => {
-                // In the order of the file: the parser's own is that of the alphabet.
+                // The parser sorts names by the alphabet; materials keep the order of the file.
                 let mut named: Vec<_> = named.into_iter().collect();
                 named.sort_by_key(|(name, _)| name.span().start);
                 for (name, stated) in named {
@@ -94,7 +93,7 @@ pub(super) fn locate(text: &str, path: &[Segment], target: Target) -> Option<Loc
     for part in parts(text, &Memory::new(u64::MAX)).ok()? {
         let own = part.text(text);
         let root = DeTable::parse(&own).ok()?;
-        // The entries of a list are in several parts, one after another.
+        // A list may go on in later parts: count off the entries of this one.
         if let [Segment::Key(key), Segment::Index(index), ..] = path.as_mut_slice()
             && let Some(found) = root.get_ref().get(key.as_str())
             && let DeValue::Array(entries) = found.get_ref()
@@ -112,12 +111,14 @@ pub(super) fn locate(text: &str, path: &[Segment], target: Target) -> Option<Loc
     None
 }
 
+/// Finds a key in one part; the place is that in the whole text.
 fn locate_in(
     part: &Part,
     root: Spanned<DeTable<'_>>,
     path: &[Segment],
     target: Target,
 ) -> Option<Located> {
+    // Walk down the path; the span is always that of the last segment walked.
     let mut span = root.span();
     let mut at = &DeValue::Table(root.into_inner());
     let located = |span, value, depth| Located { span: part.place(span), value, depth };
@@ -133,6 +134,7 @@ fn locate_in(
                 span = child.span();
                 child
             }
+            // The path may point into a number that stands for an array.
             _ => {
                 let value = value(at.clone());
                 let found = stands_for_array(&value, &path[depth..]);

@@ -7,19 +7,19 @@ use crate::error::number;
 /// One value, as both formats have it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Value {
-    /// JSON only.
+    /// The null of JSON.
     Null,
     Boolean(bool),
-    /// A number: its nearest f64, and itself where it was written as an integer.
+    /// A number: the nearest f64, and the exact integer where it was written as one.
     Number {
         nearest: f64,
         integer: Option<i64>,
     },
     Text(String),
-    /// TOML only, as written.
+    /// A date of TOML, as written.
     Date(String),
-    /// Its first entries, [`Value::KEPT`] at most, and how many it has: no key of a scene takes
-    /// more of them, but for the lists of bodies, which are read entry by entry.
+    /// An array: the first entries, [`Value::KEPT`] at most, and how many there are. No key of a
+    /// scene takes more, but for the lists of bodies, which are read entry by entry.
     Array {
         first: Vec<Value>,
         len: usize,
@@ -28,7 +28,7 @@ pub(super) enum Value {
 }
 
 impl Value {
-    /// Entries of an array that are kept. Messages show arrays of so many in full.
+    /// Most entries of an array that are kept. Messages show arrays up to this length in full.
     pub(super) const KEPT: usize = 4;
 
     /// The value as messages name it: a number or a short list of numbers in full.

@@ -6,12 +6,12 @@
 pub struct Allowed {
     least: f64,
     most: f64,
-    /// The range in words. Follows "allowed: ", for one number.
+    /// The range of one number in words, to follow "allowed: ".
     pub text: &'static str,
 }
 
 impl Allowed {
-    /// Whether that number is allowed; NaN never is.
+    /// Whether a number is allowed; NaN never is.
     #[must_use]
     pub fn holds(&self, x: f64) -> bool {
         self.least <= x && x <= self.most
@@ -23,7 +23,7 @@ impl Allowed {
     }
 }
 
-/// Range of numbers with both ends, and why it ends there.
+/// Makes a range of numbers with both ends, and why it ends there.
 macro_rules! number {
     ($least:literal to $most:literal $($why:literal)?) => {
         Allowed {
@@ -36,7 +36,7 @@ macro_rules! number {
     };
 }
 
-/// Range of integers with both ends.
+/// Makes a range of integers with both ends.
 macro_rules! integer {
     ($least:literal to $most:literal) => {{
         const ENDS: [u32; 2] = [$least, $most];
@@ -48,7 +48,7 @@ macro_rules! integer {
     }};
 }
 
-/// Range of numbers from 0 to the largest f32, which the literal is when it is read as one.
+/// Makes a range of numbers from 0 to the largest f32; the literal must be that, read as f32.
 macro_rules! largest {
     ($before:literal $most:literal $after:literal) => {{
         const MOST: f32 = $most;
@@ -75,15 +75,15 @@ pub const RADIUS: Allowed = number!(1e-12 to 1e12);
 /// Amounts of light, factors and exponents: what f32 can hold.
 pub const AMOUNT: Allowed = largest!("a number from 0 to " 3.4028234e38 "");
 
-/// Light that is seen as it is.
+/// Light that a pixel can show directly.
 pub const LIGHT: Allowed =
     number!(0 to 1e20 ", so that no sum over reflections and samples overflows f32");
 
 /// The part of the light that a mirror sends on.
 pub const MIRROR: Allowed = number!(0 to 1);
 
-/// The highlight's factor, which is also the mirror's where that is not stated: then it must
-/// hold [`MIRROR`] too.
+/// The highlight's factor. Where the mirror's is not stated it is this one, which must then be in
+/// [`MIRROR`] too.
 pub const SPECULAR: Allowed = largest!(
     "a number from 0 to 1, or more where `reflect` is stated too, up to " 3.4028234e38
     " (without it, `specular` is also the mirror's factor)"

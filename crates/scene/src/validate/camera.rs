@@ -31,8 +31,8 @@ pub(super) fn camera(trail: Trail<'_>, camera: &Camera, image: &Image) -> Result
     extent(trail.key("fov"), fov, image)
 }
 
-/// Half the picture's height and width at distance 1 must be normal numbers of f32; else the
-/// eye rays could not be told apart.
+/// Checks that half the picture's height and width at distance 1 are normal numbers of f32; else
+/// the eye rays could not be told apart.
 fn extent(trail: Trail<'_>, fov: f64, image: &Image) -> Result<(), Fault> {
     let half_height = (fov.to_radians() / 2.0).tan();
     let half_width = half_height * (f64::from(image.width) / f64::from(image.height));

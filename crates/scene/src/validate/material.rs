@@ -13,7 +13,7 @@ pub(super) struct Brightest {
 }
 
 impl Brightest {
-    /// Of a scene whose lights and ambient have been found in their ranges.
+    /// The brightest light of a scene whose lights and ambient were found in their ranges.
     pub(super) fn of(draft: &Draft) -> Self {
         let mut lights = [0.0; 3];
         for light in &draft.lights {
@@ -30,6 +30,7 @@ pub(super) fn material(
     material: &Material,
     brightest: &Brightest,
 ) -> Result<(), Fault> {
+    // Each factor alone is in its range. The mirror's may be stated by `specular`.
     let &Material { color, diffuse, specular, shininess, reflect } = material;
     triple(trail.key("color"), color, &AMOUNT)?;
     one(trail.key("diffuse"), diffuse, &AMOUNT)?;
@@ -42,12 +43,14 @@ pub(super) fn material(
             return Err(Fault::new(trail.key("specular"), number(specular), SPECULAR.text));
         }
     }
+    // The factors together send back no more light than sums in f32 can hold.
     for channel in 0..3 {
         let colour = color[channel];
         let factor = diffuse * colour + specular;
         let back = brightest.ambient[channel] * colour + brightest.lights[channel] * factor;
-        // The factor is formed before a light multiplies it, which may be a weak one. As many
-        // reflections as a u32 counts, with 256 x 256 samples, then stay far below the largest f32.
+        // The factor is formed before a light multiplies it, so it is bounded also where all lights
+        // are weak. With these bounds 2^32 reflections and 256 x 256 samples stay far below the
+        // largest f32.
         if !LIGHT.holds(factor) || !LIGHT.holds(back) {
             let allowed = format!(
                 "a material that sends back at most {}, so that no sum over reflections and samples overflows f32; in channel {channel} diffuse·color + specular is {}, and ambient·color + (all intensities)·(diffuse·color + specular) is {}",

@@ -1,4 +1,4 @@
-//! Which keys are written, and their values' spelling, which TOML and JSON share.
+//! The keys that are written, and their values' spelling, which TOML and JSON share.
 
 use super::names::Names;
 use super::text::text;
@@ -11,14 +11,15 @@ pub(super) type Entries = Vec<(&'static str, String)>;
 /// One key of the top level.
 pub(super) enum Section {
     Table(&'static str, Entries),
-    /// Tables by their own names.
+    /// Tables, each with a name of its own.
     Named(&'static str, Vec<(String, Entries)>),
     Array(&'static str, Vec<Entries>),
 }
 
-/// A draft's sections in the order of the format, without empty ones. Its numbers are
+/// A draft's sections in the order of the format, without empty ones. The draft's numbers must be
 /// finite: JSON has no others.
 pub(super) fn sections(draft: &Draft) -> Vec<Section> {
+    // A material with a name to be written is referred to by it; others stand inline.
     let names = Names::of(draft);
     let made_of = |id: MaterialId| match names.of_material(id) {
         Some(name) => vec![("material", text(name))],
@@ -32,6 +33,7 @@ pub(super) fn sections(draft: &Draft) -> Vec<Section> {
         let own = [("point", triple(plane.point)), ("normal", triple(plane.normal))];
         own.into_iter().chain(made_of(plane.material)).collect()
     });
+    // Materials stand once under their names, also the ones that no body has.
     let named =
         names.written.iter().map(|(id, name)| (name.clone(), material(&draft.materials[*id])));
     let mut sections = vec![
@@ -43,6 +45,7 @@ pub(super) fn sections(draft: &Draft) -> Vec<Section> {
         Section::Array("spheres", spheres.collect()),
         Section::Array("planes", planes.collect()),
     ];
+    // Empty lists are left out: they are the default. Settings always have keys.
     sections.retain(|section| match section {
         Section::Table(..) => true,
         Section::Named(_, tables) => !tables.is_empty(),
@@ -114,7 +117,7 @@ fn material(material: &Material) -> Entries {
     entries
 }
 
-/// As bits: -0 is not 0 here.
+/// Whether two numbers differ as bits: -0 is not 0 here.
 fn differs(a: f64, b: f64) -> bool {
     a.to_bits() != b.to_bits()
 }
@@ -127,7 +130,7 @@ fn triple(v: [f64; 3]) -> String {
     format!("[{}]", v.map(number).join(", "))
 }
 
-/// One number where it stands for all three.
+/// Three numbers, written as one where they are equal.
 fn amount(v: [f64; 3]) -> String {
     if differs3(v, [v[0]; 3]) { triple(v) } else { number(v[0]) }
 }

@@ -3,7 +3,7 @@
 use super::entries::{Entries, Section};
 use super::text::{key, text};
 
-/// A line for each key, a blank line between tables.
+/// Writes TOML: a line for each key, a blank line between tables.
 pub(super) fn toml(sections: &[Section]) -> String {
     let mut toml = String::new();
     let mut table = |header: String, entries: &Entries| {
@@ -34,7 +34,7 @@ pub(super) fn toml(sections: &[Section]) -> String {
     toml
 }
 
-/// A line for each table.
+/// Writes JSON: a line for each table.
 pub(super) fn json(sections: &[Section]) -> String {
     let sections = sections.iter().map(|section| match section {
         Section::Table(name, entries) => format!("  \"{name}\": {}", object(entries)),

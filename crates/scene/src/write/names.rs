@@ -1,11 +1,11 @@
-//! What a file calls the materials.
+//! Names that a written file gives to materials.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::{Body, Draft, MaterialId};
 
-/// Names of materials, in the order in which they are written: those that the draft has, and
-/// m0, m1, ... for those without one that several bodies have. Others stand inline.
+/// Names of materials, in the order in which they are written: the draft's own names, then m0, m1,
+/// ... for unnamed materials that several bodies share. Other materials stand inline.
 pub(super) struct Names {
     pub(super) written: Vec<(MaterialId, String)>,
     places: BTreeMap<MaterialId, usize>,

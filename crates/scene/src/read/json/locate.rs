@@ -11,7 +11,8 @@ use super::super::value::Value;
 use super::value::ValueSeed;
 use crate::error::Segment;
 
-/// Finds a key in a text that has been parsed before. A key itself is shown at its value.
+/// Finds a key in a text that has been parsed before. The place is that of the value, also where
+/// the key itself is wrong.
 pub(in super::super) fn locate(text: &str, path: &[Segment]) -> Option<Located> {
     let mut raw: &RawValue = serde_json::from_str(text).ok()?;
     for (depth, segment) in path.iter().enumerate() {
@@ -41,7 +42,7 @@ fn span(text: &str, part: &str) -> Range<usize> {
     start..start + part.len()
 }
 
-/// The part of a table or an array that a segment names. Nothing else of it is kept.
+/// The part of a table or an array that a segment names; other parts are skipped, not kept.
 fn child<'t>(text: &'t str, segment: &Segment) -> Option<&'t RawValue> {
     Child(segment).deserialize(&mut serde_json::Deserializer::from_str(text)).ok()?
 }

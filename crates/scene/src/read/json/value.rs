@@ -7,25 +7,25 @@ use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, Seq
 
 use super::super::value::Value;
 
-/// Levels below a value that are kept: its keys, a key's numbers, and one below to tell a number
-/// from what is none. What is nested deeper is of no type that a scene has.
+/// Levels below a value that are kept: its keys, a key's numbers, and one more to tell a number
+/// from what is none. No value of a scene is nested deeper.
 const LEVELS: u32 = 3;
 
-/// Keys of a table that are kept: more than any table of a scene may have, so that one of them is
-/// unknown where there are more.
+/// Most keys of a table that are kept. Any table of a scene has fewer, so where there are more, at
+/// least one of the kept keys is unknown and the table is refused.
 const TABLE_KEYS: usize = 32;
 
-/// A key that is there twice in one table.
+/// The error of a key that is there twice in one table.
 pub(super) fn twice<E: Error>(key: &str) -> E {
     E::custom(format_args!("the key {key:?} is there twice"))
 }
 
-/// Reads a value that is so many levels down.
+/// Reads a value at a depth: 0 for the value itself, 1 for its parts, and on.
 #[derive(Clone, Copy)]
 pub(super) struct ValueSeed(u32);
 
 impl ValueSeed {
-    /// A value of its own.
+    /// The seed of a value that is not part of another.
     pub(super) const TOP: Self = Self(0);
 }
 
@@ -37,11 +37,11 @@ impl<'de> DeserializeSeed<'de> for ValueSeed {
     }
 }
 
-/// See [`ValueSeed`].
+/// Visitor behind [`ValueSeed`], at the same depth.
 pub(super) struct ValueVisitor(u32);
 
 impl ValueVisitor {
-    /// For a value of its own.
+    /// The visitor of a value that is not part of another.
     pub(super) const TOP: Self = Self(0);
 
     fn below(&self) -> Option<ValueSeed> {

@@ -1,14 +1,14 @@
 //! A TOML text cut into parts that can be parsed one by one.
 //!
 //! The first part holds what must be seen together: the keys before the first header, the settings,
-//! and the first table of each kind of which there may be many (`[[lights]]`, `[materials.x]`,
-//! `[[spheres]]`, `[[planes]]`). So whatever may not stand beside a table of that kind is refused
-//! there, by the parser. The further tables, in their order, make the other parts. A list that is
-//! written inline (`spheres = [{...}, ...]`) is cut between its entries; the first part then holds
-//! the empty list. Two materials of one name in different parts are for the reader to find.
+//! and the first table of each kind that may occur many times (`[[lights]]`, `[materials.x]`,
+//! `[[spheres]]`, `[[planes]]`). There the parser refuses whatever may not stand beside a table of
+//! that kind. Further tables, in their order, make the other parts. A list written inline
+//! (`spheres = [{...}, ...]`) is cut between its entries; the first part then holds the empty list.
+//! Two materials of one name in different parts are left for the reader to find.
 //!
-//! Cuts are made at tokens that end a statement or an entry in every text that is valid so far, so
-//! that what is wrong in a text is wrong in one of its parts, at the same place.
+//! Cuts are made at tokens that end a statement or an entry in every text that is valid so far.
+//! Thus a fault of the text is a fault of one of its parts, at the same place.
 
 use std::borrow::Cow;
 use std::iter::Peekable;
@@ -21,29 +21,30 @@ use super::super::Problem;
 use super::super::draft::{List, MATERIALS};
 use super::super::memory::Memory;
 
-/// Bytes of a part, and more by one table or entry at most. A shorter text is not cut.
+/// Bytes after which a part is full; it may be longer by one table or entry. A shorter text is not
+/// cut.
 const PART: usize = 1 << 14;
 
-/// Bytes that the parser takes for a token, at most: the token and what it means to the parser,
-/// both in lists that double as they grow, and a value.
+/// Most bytes that the parser takes for a token: the token and the parser's event for it, both in
+/// lists that double as they grow, and a value.
 const TOKEN_BYTES: u64 = 320;
 
-/// Bytes that it takes for a table, at most: a node of a tree with room for eleven entries, here
-/// and in the values that are made of it.
+/// Most bytes that the parser takes for a table: a tree node with room for eleven entries, once in
+/// the parser's table and once in the values made from it.
 const TABLE_BYTES: u64 = 3200;
 
-/// Part of a text: pieces of it, one after another.
+/// A part of a text: pieces of it, one after another.
 #[derive(Default)]
 pub(super) struct Part {
     pieces: Vec<Range<usize>>,
-    /// The list whose entries the pieces are, if they are no statements.
+    /// The list whose entries the pieces are; `None` if they are statements.
     inline: Option<List>,
     tokens: u64,
     tables: u64,
 }
 
 impl Part {
-    /// Bytes that are needed to parse it, at most.
+    /// Most bytes that parsing the part takes.
     pub(super) fn cost(&self) -> u64 {
         2 * self.len() as u64 + self.tokens * TOKEN_BYTES + self.tables * TABLE_BYTES
     }
@@ -52,12 +53,12 @@ impl Part {
         self.pieces.iter().map(Range::len).sum()
     }
 
-    /// What stands before the pieces.
+    /// Text in front of the pieces: the key and bracket of a list that was cut.
     fn before(&self) -> String {
         self.inline.map_or_else(String::new, |list| format!("{} = [", list.key()))
     }
 
-    /// Its text.
+    /// The part as a TOML text.
     pub(super) fn text<'t>(&self, text: &'t str) -> Cow<'t, str> {
         match (self.pieces.as_slice(), self.inline) {
             ([], _) => "".into(),
@@ -73,7 +74,7 @@ impl Part {
         }
     }
 
-    /// The bytes of the whole text that some bytes of this part's text are.
+    /// Turns a span of this part's text into the span of the whole text.
     pub(super) fn place(&self, span: Range<usize>) -> Range<usize> {
         let before = self.before().len();
         let (start, end) = (span.start.saturating_sub(before), span.end.saturating_sub(before));
@@ -103,7 +104,7 @@ impl Part {
     }
 }
 
-/// What the parser will make of some tokens.
+/// What the parser makes from some tokens, for counting its memory.
 #[derive(Clone, Copy, Default)]
 struct Cost {
     tokens: u64,
@@ -125,7 +126,7 @@ pub(super) fn parts(text: &str, memory: &Memory) -> Result<Vec<Part>, Problem> {
         to_first: true,
         seen: Vec::new(),
     };
-    // Part by part they take no more than this.
+    // This is the most that the list of parts takes.
     memory.for_a_moment((text.len() / PART * 4 * size_of::<Part>()) as u64)?;
     cutter.statements();
     Ok(cutter.parts)
@@ -136,14 +137,14 @@ struct Cutter<'t> {
     tokens: Peekable<Lexer<'t>>,
     /// Whether nothing is cut.
     whole: bool,
-    /// The end of what was put in a part.
+    /// End of the text that was put in a part.
     at: usize,
-    /// Of what follows.
+    /// Cost of the tokens read since then.
     cost: Cost,
     parts: Vec<Part>,
-    /// Whether the statements go to the first part, and not to the last.
+    /// Whether statements go to the first part rather than the last.
     to_first: bool,
-    /// Kinds of tables of which the first part has one.
+    /// Kinds of tables that the first part has one of.
     seen: Vec<&'static str>,
 }
 
@@ -181,7 +182,7 @@ impl Cutter<'_> {
         Some(token)
     }
 
-    /// Puts all up to that byte in the part whose turn it is.
+    /// Puts the text up to a byte in the part whose turn it is.
     fn put(&mut self, end: usize) {
         let piece = self.at..end;
         self.at = end;
@@ -192,7 +193,7 @@ impl Cutter<'_> {
         }
     }
 
-    /// A header's line: it says to which part the statements below it go.
+    /// Reads a header's line, which decides where the statements below it go.
     fn header(&mut self) {
         let before = std::mem::take(&mut self.cost);
         let start = self.tokens.peek().map_or(0, |token| token.span().start());
@@ -231,7 +232,7 @@ impl Cutter<'_> {
             MATERIALS => !double && keys.len() == 2,
             _ => double && keys.len() == 1,
         };
-        // A table below one of these stays with the one before.
+        // A subtable, `[spheres.x]` say, stays with the table before it.
         if exact && !self.seen.contains(&kind) {
             self.seen.push(kind);
             self.to_first = true;
@@ -244,7 +245,7 @@ impl Cutter<'_> {
         }
     }
 
-    /// The text of a key.
+    /// Decodes a key.
     fn key(&self, token: Token) -> String {
         let mut key = String::new();
         if let Some(raw) = self.source.get(token) {
@@ -253,7 +254,7 @@ impl Cutter<'_> {
         key
     }
 
-    /// A key and its value before the first header; a list is cut.
+    /// Reads a key and its value before the first header; a list is cut.
     fn key_value_of_root(&mut self) {
         let list = match self.next() {
             Some(token) if token.kind() == TokenKind::Atom => List::of_key(&self.key(token)),
@@ -281,9 +282,10 @@ impl Cutter<'_> {
         self.peek()
     }
 
-    /// The entries of a list written inline, up to the bracket that ends it.
+    /// Cuts the entries of a list written inline, up to the bracket that ends it.
     fn entries(&mut self, list: List) {
-        // Until its end is found the list may have none; then it is for the first part to tell.
+        // The list may turn out to have no end. Everything then goes to the first part after all,
+        // whose parser reports it, so the present state is kept.
         let (first, cost_of_first) = (self.at, self.cost);
         let opened = self.tokens.peek().map_or(0, |token| token.span().start());
         let (cut_from, mut start) = (self.parts.len(), opened);
@@ -291,6 +293,7 @@ impl Cutter<'_> {
         let mut whole = Cost::default();
         let mut depth = 0_u32;
         while let Some(kind) = self.peek() {
+            // The end: the first part gets the key and the two brackets, without the entries.
             if kind == TokenKind::RightSquareBracket && depth == 0 {
                 let end = self.tokens.peek().map_or(0, |token| token.span().start());
                 self.cut(list, start..end);
@@ -300,6 +303,7 @@ impl Cutter<'_> {
                 self.at = end;
                 return;
             }
+            // Only a comma between entries may be cut at, not one inside an entry.
             let Some(token) = self.next() else { break };
             match kind {
                 TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => depth += 1,
@@ -315,6 +319,7 @@ impl Cutter<'_> {
                 _ => {}
             }
         }
+        // No end was found: take the cuts back.
         self.parts.truncate(cut_from);
         self.cost.tokens += whole.tokens + cost_of_first.tokens;
         self.cost.tables += whole.tables + cost_of_first.tables;
@@ -326,7 +331,7 @@ impl Cutter<'_> {
         self.parts.push(part);
     }
 
-    /// The tokens up to the line break that ends a statement.
+    /// Skips the tokens up to the line break that ends a statement.
     fn rest_of_statement(&mut self) {
         let mut depth = 0_u32;
         while let Some(token) = self.next() {

@@ -28,11 +28,11 @@ fn table(entries: DeTable<'_>) -> Value {
     Value::Table(entries.into_iter().map(entry).collect())
 }
 
-/// The parser has checked the digits and taken out the underscores and the prefix.
+/// Reads an integer. The parser has checked the digits and taken out underscores and prefix.
 fn integer(digits: &DeInteger<'_>) -> Value {
     match i64::from_str_radix(digits.as_str(), digits.radix()) {
         Ok(integer) => Value::Number { nearest: integer as f64, integer: Some(integer) },
-        // Longer than i64: still a number where any number will do.
+        // An integer beyond i64 is still a number, for keys that take any number.
         Err(_) if digits.radix() == 10 => {
             Value::Number { nearest: parsed(digits.as_str()), integer: None }
         }
@@ -40,7 +40,7 @@ fn integer(digits: &DeInteger<'_>) -> Value {
     }
 }
 
-/// A number too large for f64 becomes infinite, and is refused with the ranges.
+/// Reads a float. A number too large for f64 becomes infinite; the check of ranges refuses it.
 fn float(digits: &DeFloat<'_>) -> Value {
     Value::Number { nearest: parsed(digits.as_str()), integer: None }
 }
