@@ -20,7 +20,6 @@ const OFFENCES: &[(&str, usize)] = &[
     ("cli", 25),
     ("explain", 24),
     ("ladder", 16),
-    ("reference", 18),
     ("report", 9),
     ("study", 66),
 ];

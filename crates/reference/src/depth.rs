@@ -1,10 +1,10 @@
-//! How deep the recursion goes.
+//! The deepest path of the recursion, and the stack that it takes.
 
 /// The deepest path that the recursion follows.
 pub const DEPTH_ALLOWED: u32 = 100_000;
 
-/// The stack, in bytes, that a thread needs for a path of [`DEPTH_ALLOWED`]: the recursion
-/// keeps one frame a mirror on it, with room for the larger frames of a debug build.
+/// Stack bytes that a thread needs for a path of [`DEPTH_ALLOWED`] reflections: one frame a mirror,
+/// with room for the larger frames of a debug build.
 pub const STACK_BYTES: usize = 256 << 20;
 
 /// A path that would have overflowed the stack.

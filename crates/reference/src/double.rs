@@ -1,5 +1,5 @@
-//! The recursion in f64: the same folder, compiled a second time with other numbers under the
-//! names `Real` and `Vec3`. For studies of accuracy; [`truth`](crate::truth) is apart from both.
+//! The recursion in f64, for studies of accuracy: the same folder, compiled a second time with
+//! other numbers under the names `Real` and `Vec3`. [`truth`](crate::truth) is apart from both.
 
 #[expect(clippy::duplicate_mod, reason = "the same operations in f64, and no second source")]
 #[path = "recursion/mod.rs"]
@@ -7,7 +7,7 @@ mod recursion;
 
 pub use recursion::{path, power, ray, render, trace};
 
-/// What the recursion's numbers are here.
+/// Numbers of the recursion: f64.
 mod real {
     pub(crate) use std::f64::consts;
 

@@ -2,8 +2,8 @@
 //! same recursion in f64.
 //!
 //! This is the specification. Read [`trace`](mod@trace) first; then the shapes beside it in the
-//! order `textbook`, `robust_sphere`, `general_sphere`. The packet engine does the same operations in the same order,
-//! so its picture has the same bits; where the two differ, one of them is wrong.
+//! order `textbook`, `robust_sphere`, `general_sphere`. The packet engine does the same operations
+//! in the same order, so its picture has the same bits; where the two differ, one of them is wrong.
 //!
 //! Arithmetic: every + - * / and square root is rounded once, in the order written; dot
 //! products are (x + y) + z; nothing is fused. A comparison with NaN is false, and the
@@ -30,7 +30,7 @@ pub mod truth;
 pub use depth::{DEPTH_ALLOWED, STACK_BYTES, TooDeep};
 pub use recursion::{path, power, ray, render, trace};
 
-/// What the recursion's numbers are. In [`double`] the same names mean f64.
+/// Numbers of the recursion: f32. In [`double`] the same names mean f64.
 mod real {
     pub(crate) use std::f32::consts;
 

@@ -46,9 +46,9 @@ use vector::Vector;
 /// The arithmetic of truth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Precision {
-    /// 53 bits.
+    /// f64, 53 bits.
     F64,
-    /// About 106 bits.
+    /// Double-double, about 106 bits.
     DoubleDouble,
 }
 
@@ -71,11 +71,11 @@ pub struct TruthFilm {
     pub height: u32,
     /// Linear RGB, unclamped, row by row from the top left; rounded once to f64.
     pub pixels: Vec<[f64; 3]>,
-    /// Rays by depth, those of all sub-samples together.
+    /// Rays by depth, all sub-samples together.
     pub counts: Counts,
 }
 
-/// Where a path meets a primitive.
+/// A hit on a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vertex {
     /// Index of the primitive: spheres in file order, then planes.
@@ -85,9 +85,9 @@ pub struct Vertex {
     /// What that rounding left out: `point + rest` is the hit in truth's arithmetic, so two
     /// paths can be told apart that differ by less than an ulp. 0 in f64.
     pub rest: [f64; 3],
-    /// For each light in file order, whether it lights the hit: n·l > 0, nothing between.
+    /// Whether each light, in file order, lights the hit: n·l > 0, nothing between.
     pub lit: Vec<bool>,
-    /// Whether the mirrored ray is traced. Of the last hit: whether that ray met nothing.
+    /// Whether the mirrored ray is traced. On the last hit, true means that this ray met nothing.
     pub followed: bool,
 }
 
@@ -122,8 +122,8 @@ impl Truth {
         self.radiance_nudged(view, x, y, [0.0; 3])
     }
 
-    /// As [`Truth::radiance`], with every eye ray's unit direction d replaced by
-    /// norm(d + nudge): how far the picture moves when its input does.
+    /// Linear RGB as [`Truth::radiance`] gives it, with every eye ray's unit direction d replaced
+    /// by norm(d + nudge): shows how far the picture moves when its input does.
     ///
     /// # Errors
     /// A path that reflects more than [`DEPTH_ALLOWED`] times.
@@ -158,7 +158,8 @@ impl Truth {
         self.path_nudged(view, x, y, [0.0; 3])
     }
 
-    /// As [`Truth::path`], with the eye ray's unit direction d replaced by norm(d + nudge).
+    /// Every hit as [`Truth::path`] gives it, with the eye ray's unit direction d replaced by
+    /// norm(d + nudge).
     #[must_use]
     pub fn path_nudged(&self, view: &View, x: u32, y: u32, nudge: [f64; 3]) -> Vec<Vertex> {
         match &self.model {

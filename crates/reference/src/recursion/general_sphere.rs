@@ -1,15 +1,19 @@
 //! A plane, or a sphere so large that it looks like one, robust numerics.
 //!
-//! With 2g(x) = curvature·|x|^2 - 2 scaled_center·x + cocurvature, twice the height over the surface, and
-//! N = curvature·o - scaled_center its gradient at the ray's origin, the ray o + t d meets it where
-//! curvature·t^2 + 2 (N·d) t + 2g(o) = 0. All coefficients are of the size of the scene
-//! around the eye, however large the sphere. A plane is the case of curvature 0.
+//! Twice the height of x over the surface is
+//! 2g(x) = curvature·|x|^2 - 2 scaled_center·x + cocurvature. Its gradient at the ray's origin is
+//! N = curvature·o - scaled_center. The ray o + t d meets the surface where
+//! curvature·t^2 + 2 (N·d) t + 2g(o) = 0. All coefficients are of the size of the scene around the
+//! eye, however large the sphere. A plane is the case of curvature 0.
 //!
-//! A quarter of that equation's discriminant is (N·d)^2 - curvature·2g(o), which is exact where the
-//! ray starts close to the surface and passes it at a small angle. It is also 1 - |N - (N·d) d|^2,
-//! r^2 less the square of the distance at which the ray passes the centre, over r^2, for |N|^2 is 1 +
-//! curvature·2g(o). A sphere that is small against the way to it needs that: |N| is that way over
-//! the radius, and the other form would lose its square.
+//! A quarter of the equation's discriminant has two forms:
+//!
+//! - (N·d)^2 - curvature·2g(o), exact where the ray starts close to the surface and passes it at a
+//!   small angle;
+//! - 1 - |N - (N·d) d|^2, which is r^2 less the square of the distance at which the ray passes the
+//!   centre, over r^2; the same, since |N|^2 is 1 + curvature·2g(o). A sphere that is small against
+//!   its distance needs this form: |N| is the distance over the radius, and the first form would
+//!   lose |N|^2.
 
 use catoptric_scene::GeneralSphere;
 
@@ -35,10 +39,10 @@ pub(crate) fn distance(general: &GeneralSphere<Real>, ray: Ray, own: bool) -> Op
         .then(|| not_behind(height / (discriminant.sqrt() - slope)))
 }
 
-/// Where a ray meets it at distance `t`.
+/// The surface where a ray meets the shape at distance `t`.
 ///
 /// Inside a sphere rays meet it again and again, and the rounding of their points would add up
-/// until they have left it: there the point is put back, by one Newton step down its height.
+/// until they have left it. There the point is put back, by one Newton step down its height.
 pub(crate) fn surface(general: &GeneralSphere<Real>, ray: Ray, t: Real, id: usize) -> Surface {
     let mut point = ray.origin + ray.direction * t;
     if general.encloses_eye() {
@@ -49,12 +53,12 @@ pub(crate) fn surface(general: &GeneralSphere<Real>, ray: Ray, t: Real, id: usiz
     Surface { point, anchor: point, arm: Vec3::ZERO, normal, start: point, left: Some(id) }
 }
 
-/// Whether it stands between a point on the eye's side and a light on that side, at
+/// Whether the shape stands between a point on the eye's side and a light on that side, at
 /// `distance` in direction `ray.direction`.
 ///
-/// As for a sphere, without a root: the height falls at the point, rises at the light, and is
-/// not positive at its least between. For a plane the slope never changes, so it hides none;
-/// neither does a sphere around the eye.
+/// Needs no root: the shape hides the light exactly if the height falls at the point, rises at the
+/// light, and is not positive at its least between. A plane hides no light, since its slope never
+/// changes; neither does a sphere around the eye.
 pub(crate) fn occludes(general: &GeneralSphere<Real>, ray: Ray, distance: Real) -> bool {
     let (gradient, height) = gradient_and_height(general, ray.origin);
     let slope = gradient.dot(ray.direction);
@@ -62,8 +66,9 @@ pub(crate) fn occludes(general: &GeneralSphere<Real>, ray: Ray, distance: Real) 
     slope < 0.0 && -slope < general.curvature * distance && discriminant >= 0.0
 }
 
-/// Not negative where a ray in `direction` meets the surface, N and 2g being those of its origin. For
-/// a surface that is not around the eye.
+/// A quarter of the discriminant, in the form that keeps its digits: not negative where a ray in
+/// `direction` meets the surface. `gradient` and `height` are N and 2g at the ray's origin; for
+/// surfaces that are not around the eye.
 fn discriminant(
     general: &GeneralSphere<Real>,
     gradient: Vec3,
@@ -79,7 +84,8 @@ fn discriminant(
     1.0 - across.dot(across)
 }
 
-/// N(x) and 2g(x), the latter as (N(x) - scaled_center)·x + cocurvature.
+/// The gradient N(x) and twice the height, 2g(x), the latter as (N(x) - scaled_center)·x +
+/// cocurvature.
 fn gradient_and_height(general: &GeneralSphere<Real>, x: Vec3) -> (Vec3, Real) {
     let gradient = x * general.curvature - general.scaled_center;
     (gradient, (gradient - general.scaled_center).dot(x) + general.cocurvature)

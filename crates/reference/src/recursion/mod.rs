@@ -1,5 +1,5 @@
-//! The recursion over mirrors. It stands here once and is compiled twice, in f32 and in f64: `real`
-//! is what its numbers are, and comes from whoever mounts this folder.
+//! The recursion over mirrors, written once and compiled twice, in f32 and in f64: the module that
+//! mounts this folder gives the numbers as `real`.
 
 use super::real;
 

@@ -1,5 +1,5 @@
-//! One ray's way through a scene, written down: what the recursion met, for those who ask
-//! where it goes wrong. Rendering does not use it.
+//! One ray's way through a scene, written down: what the recursion met, for finding out where it
+//! goes wrong. Rendering does not use it.
 
 use catoptric_scene::Compiled;
 
@@ -14,15 +14,15 @@ pub struct Step {
     pub ray: Ray,
     /// Index in [`Compiled::primitives`].
     pub primitive: usize,
-    /// How far along the ray; units: world units, up to the rounding of |direction|.
+    /// Distance along the ray. Units: world units, up to the rounding of |direction|.
     pub distance: Real,
-    /// Where that is.
+    /// The surface there.
     pub surface: Surface,
-    /// For each light in file order, whether it lights that point.
+    /// Whether each light, in file order, lights the point.
     pub lit: Vec<bool>,
-    /// Ambient light and lights.
+    /// Colour without the mirror: ambient light and lights.
     pub local: Vec3,
-    /// Whether the mirrored ray is traced. Of the last step: whether that ray met nothing.
+    /// Whether the mirrored ray is traced. On the last step, true means that this ray met nothing.
     pub followed: bool,
 }
 
@@ -32,8 +32,8 @@ pub fn eye_ray(scene: &Compiled<Real>, column: Real, row: Real) -> Ray {
     Tracer::new(scene).eye_ray(column, row)
 }
 
-/// Everything that a ray meets, in order, as deep as the picture follows it; nothing, if it
-/// meets nothing. Takes no native stack, so no depth is too large.
+/// Everything that a ray meets, in order, as deep as the picture follows it; empty if it meets
+/// nothing. Takes no native stack, so no depth is too large.
 #[must_use]
 pub fn follow(scene: &Compiled<Real>, mut ray: Ray) -> Vec<Step> {
     let mut tracer = Tracer::new(scene);

@@ -5,11 +5,11 @@ use catoptric_scene::{Power, Scalar};
 use super::ray::positive;
 use super::real::{Bits, Real, consts};
 
-/// max(0, x)^p for x at most 1 (rounding above it is cut); 0^0 is 1.
+/// The power max(0, x)^p for x at most 1 (rounding above it is cut); 0^0 is 1.
 ///
 /// Error: whole p, about p/2 ulp; other p, 1.5e-6 relative where the result is above 1e-3,
-/// growing to 5e-6 at 1e-15. Results below 1e-15 are 0. In f64 the same of 2e-15, growing to
-/// 1.5e-14 at 1e-18, below which they are 0.
+/// growing to 5e-6 at 1e-15. Results below 1e-15 are 0. In f64 the error for other p is 2e-15,
+/// growing to 1.5e-14 at 1e-18, and results below 1e-18 are 0.
 #[inline(always)]
 #[must_use]
 pub fn power(x: Real, p: Power<Real>) -> Real {
@@ -33,7 +33,7 @@ pub fn power(x: Real, p: Power<Real>) -> Real {
     }
 }
 
-/// Repeated squaring, from the lowest bit of p (Knuth, TAOCP 2, 4.6.3, algorithm A).
+/// x^p by repeated squaring, from the lowest bit of p (Knuth, TAOCP 2, 4.6.3, algorithm A).
 fn whole(x: Real, p: u32) -> Real {
     let mut result = 1.0;
     let mut square = x;
@@ -64,7 +64,8 @@ fn log2(x: Real) -> Real {
 /// 2^y for y in [-126, 0], in f64 [-1022, 0]: y = n + f, |f| <= 1/2, and the exponential series of
 /// f ln 2 up to the seventh power (next term 5e-9), in f64 up to the 13th (4e-18).
 fn exp2(y: Real) -> Real {
-    // Adding 1.5·2^23 (f64: 1.5·2^52) rounds to a whole number, which then stands in the low bits.
+    // Adding 1.5·2^23 (f64: 1.5·2^52) rounds to a whole number, which then stands in the low
+    // bits.
     let shifted = y + ROUNDING_SHIFT;
     let f = y - (shifted - ROUNDING_SHIFT);
     let one = (1.0 as Real).to_bits();
@@ -72,16 +73,16 @@ fn exp2(y: Real) -> Real {
     horner(Real::EXP2_SERIES, f) * two_to_n
 }
 
-/// c0 + c1 x + c2 x^2 + ..., from the highest power down.
+/// The polynomial c0 + c1 x + c2 x^2 + ..., from the highest power down.
 fn horner(series: &[Real], x: Real) -> Real {
     series.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 
-/// sqrt(1/2) as bits: where m starts.
+/// Bits of sqrt(1/2), the least m.
 const SQRT_HALF_BITS: Bits = consts::FRAC_1_SQRT_2.to_bits();
 
 /// Bits below a number's exponent.
 const FRACTION_BITS: u32 = Real::MANTISSA_DIGITS - 1;
 
-/// 1.5·2^23, in f64 1.5·2^52.
+/// Number that rounds a sum to a whole number: 1.5·2^23, in f64 1.5·2^52.
 const ROUNDING_SHIFT: Real = 1.5 / Real::EPSILON;

@@ -1,15 +1,15 @@
-//! Rays, and what they find: the words that the recursion and its shapes share.
+//! Rays, and what they find: the types that the recursion and its shapes share.
 
 use super::real::{Real, Vec3};
 
 /// A ray. Units: |direction| is 1, up to rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Where it starts, relative to the eye.
+    /// Start, relative to the eye.
     pub origin: Vec3,
-    /// Where it goes.
+    /// Direction of unit length.
     pub direction: Vec3,
-    /// The primitive that it just left, which it does not meet again; robust only.
+    /// The primitive that the ray just left, which it does not meet again; robust only.
     pub left: Option<usize>,
 }
 
@@ -18,16 +18,16 @@ pub struct Ray {
 pub struct Surface {
     /// The point that is lit.
     pub point: Vec3,
-    /// The point before it was rounded, as a sum: from a sphere's centre, along the radius. Elsewhere
-    /// it is the point itself and 0. Lights are seen from there: see [`Surface::to`].
+    /// The point before it was rounded is `anchor + arm`, from which lights are seen: see
+    /// [`Surface::to`]. On a robust sphere this is the centre; elsewhere the point itself.
     pub anchor: Vec3,
-    /// See `anchor`.
+    /// The other part of that sum: on a robust sphere along the radius; elsewhere 0.
     pub arm: Vec3,
-    /// The unit normal there.
+    /// The unit normal at the point.
     pub normal: Vec3,
-    /// Where shadow and mirrored rays start: the point itself, or the workshop's offset.
+    /// Start of shadow and mirrored rays: the point itself, or the workshop's offset point.
     pub start: Vec3,
-    /// Which primitive those rays leave: this one, or none where an offset is used.
+    /// Primitive that shadow and mirrored rays leave: this one, or none where an offset is used.
     pub left: Option<usize>,
 }
 
@@ -49,11 +49,11 @@ impl Surface {
 pub struct Hit {
     /// Index of the primitive.
     pub primitive: usize,
-    /// From the ray's origin, in multiples of |direction|.
+    /// Distance from the ray's origin, in multiples of |direction|.
     pub distance: Real,
-    /// The place.
+    /// The surface at the hit.
     pub surface: Surface,
-    /// The light that lights send from there towards the ray's origin.
+    /// The ambient light and the light of lights that the hit sends back along the ray.
     pub local: Vec3,
     /// The mirror factor.
     pub k: Real,
@@ -61,13 +61,13 @@ pub struct Hit {
     pub mirrored: Ray,
 }
 
-/// max(0, x), with 0 for NaN and for -0.
+/// The larger of 0 and x; 0 for NaN and for -0.
 pub(crate) fn positive(x: Real) -> Real {
     if x > 0.0 { x } else { 0.0 }
 }
 
-/// max(0, t) of a distance, NaN kept: a start that rounding put behind a surface meets it
-/// at once.
+/// The larger of 0 and a distance; NaN is kept. A ray that starts behind a surface by rounding
+/// meets it at once.
 pub(crate) fn not_behind(t: Real) -> Real {
     if t < 0.0 { 0.0 } else { t }
 }

@@ -12,11 +12,12 @@ use crate::depth::TooDeep;
 
 /// Renders a view into a film of its size, on rayon's current threads.
 ///
-/// Their stacks must hold [`STACK_BYTES`](crate::STACK_BYTES) where paths may go deep. `rows_done` is told after
-/// every row how many pixels were added.
+/// The threads' stacks must hold [`STACK_BYTES`](crate::STACK_BYTES) where paths may go deep.
+/// `progress` is told after every row how many pixels were added.
 ///
 /// # Errors
-/// [`TooDeep`] if a path has more than [`DEPTH_ALLOWED`](crate::DEPTH_ALLOWED) reflections; the film is then void.
+/// [`TooDeep`] if a path has more than [`DEPTH_ALLOWED`](crate::DEPTH_ALLOWED) reflections; the
+/// film is then void.
 ///
 /// # Panics
 /// If the film's size is not the grid's.
@@ -27,6 +28,7 @@ pub fn render(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Counts, TooDeep> {
     assert_eq!((film.width(), film.height()), (grid.width, grid.height), "the film's size");
+    // Each row is a task of its own, with a tracer that counts its rays.
     let too_deep = AtomicBool::new(false);
     let counts = film
         .pixels_mut()
@@ -46,6 +48,7 @@ pub fn render(
             progress(pixels.len() as u64);
             tracer.counts
         })
+        // Sums of integers, so the order in which rows end changes nothing.
         .reduce(Counts::default, |mut sum, row| {
             sum.add(&row);
             sum

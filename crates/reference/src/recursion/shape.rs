@@ -32,7 +32,7 @@ pub(crate) fn occludes(shape: &Shape<Real>, ray: Ray, distance: Real) -> bool {
     }
 }
 
-/// The surface where a ray meets the shape, which is the primitive of that index.
+/// The surface where a ray meets the shape; `id` is the index of the primitive.
 #[inline(always)]
 pub(crate) fn surface(shape: &Shape<Real>, ray: Ray, distance: Real, id: usize) -> Surface {
     match shape {

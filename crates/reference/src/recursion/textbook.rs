@@ -1,7 +1,7 @@
 //! The workshop's formulas to the letter: the plain quadratic, and an offset of the start of
 //! shadow and mirrored rays in place of knowing which primitive they left.
 //!
-//! They lose half their digits on a large sphere and shift its shadows: that is what the
+//! The formulas lose half their digits on a large sphere and shift its shadows: that is what the
 //! reports show. The normal of a sphere is not turned, so the inside of a sphere is wrong.
 
 use catoptric_scene::{TextbookPlane, TextbookSphere};
@@ -12,7 +12,7 @@ use super::real::{Real, Vec3};
 /// The workshop's offset, in units of the vector that it multiplies.
 const OFFSET: Real = 1e-4;
 
-/// The nearer positive root of a t^2 + b t + c0 = 0.
+/// Distance to a sphere: the nearer positive root of a t^2 + b t + c0 = 0.
 pub(crate) fn sphere_distance(sphere: &TextbookSphere<Real>, ray: Ray) -> Option<Real> {
     let from_center = ray.origin - sphere.center;
     let a = ray.direction.dot(ray.direction);
@@ -29,7 +29,7 @@ pub(crate) fn sphere_distance(sphere: &TextbookSphere<Real>, ray: Ray) -> Option
     }
 }
 
-/// n = (p - c)/|p - c|; rays start at p + (p - c)·1e-4.
+/// The surface of a sphere: n = (p - c)/|p - c|; rays start at p + (p - c)·1e-4.
 pub(crate) fn sphere_surface(sphere: &TextbookSphere<Real>, ray: Ray, t: Real) -> Surface {
     let point = ray.origin + ray.direction * t;
     let from_center = point - sphere.center;
@@ -44,13 +44,13 @@ pub(crate) fn sphere_surface(sphere: &TextbookSphere<Real>, ray: Ray, t: Real) -
     }
 }
 
-/// t = (n·point - n·o)/(n·d), where positive.
+/// Distance to a plane: t = (n·point - n·o)/(n·d), where positive.
 pub(crate) fn plane_distance(plane: &TextbookPlane<Real>, ray: Ray) -> Option<Real> {
     let t = (plane.offset - plane.normal.dot(ray.origin)) / plane.normal.dot(ray.direction);
     (t > 0.0).then_some(t)
 }
 
-/// The normal faces the ray; rays start at p + n·1e-4.
+/// The surface of a plane: the normal faces the ray; rays start at p + n·1e-4.
 pub(crate) fn plane_surface(plane: &TextbookPlane<Real>, ray: Ray, t: Real) -> Surface {
     let point = ray.origin + ray.direction * t;
     let away = plane.normal.dot(ray.direction) > 0.0;

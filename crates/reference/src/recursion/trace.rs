@@ -51,7 +51,7 @@ impl<'a> Tracer<'a> {
             return self.scene.background;
         };
 
-        // What the mirror shows. Where it is not followed it shows black.
+        // A mirror that is not followed shows black.
         let weight = weight * hit.k;
         if self.follows(hit.k, weight, depth) {
             hit.local + hit.k * self.trace(hit.mirrored, weight, depth + 1)
@@ -93,7 +93,7 @@ impl<'a> Tracer<'a> {
             let distance = to_light.length();
             let l = to_light * (1.0 / distance);
             let facing = at.normal.dot(l);
-            // Not so for a light behind the surface, nor for one at the very point, or so close
+            // A light behind the surface adds nothing, nor does one at the very point, or so close
             // that the square of its distance is 0.
             if facing > 0.0 && distance > 0.0 {
                 self.counts.at(depth).shadow += 1;
@@ -108,7 +108,7 @@ impl<'a> Tracer<'a> {
         colour
     }
 
-    /// d - 2 (d·n) n.
+    /// The mirrored direction d - 2 (d·n) n.
     ///
     /// Robust: made a unit vector again, or rounding would add up over the mirrors. Its
     /// length is 1 up to a few ulps, so one Newton step for 1/|v|, v (3 - v·v)/2, is exact

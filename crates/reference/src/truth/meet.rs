@@ -1,4 +1,4 @@
-//! Where rays meet primitives, and what hides a light.
+//! Hits of rays on primitives, and what hides a light.
 
 use std::cmp::Ordering;
 
@@ -14,12 +14,12 @@ pub(super) struct Ray<T> {
     pub(super) leaves: Option<usize>,
 }
 
-/// Where a ray ends.
+/// The point where a ray ends on a primitive.
 pub(super) struct Hit<T> {
     /// Index in the model.
     pub(super) index: usize,
     pub(super) point: Vector<T>,
-    /// Of length 1, on the eye's side of the primitive: it faces the ray.
+    /// Unit normal on the eye's side of the primitive: it faces the ray.
     pub(super) normal: Vector<T>,
 }
 
@@ -74,8 +74,8 @@ impl<T: Real> Model<T> {
 }
 
 impl<T: Real> Shape<T> {
-    /// How far the ray runs to this primitive, at least 0; `None` if it does not meet it.
-    /// `left` says that it has just left it.
+    /// Distance from the ray's origin to this primitive, at least 0; `None` if the ray does not
+    /// meet it. `left`: the ray has just left this primitive.
     ///
     /// Sphere: |f + t d|² = r² with f = o - c and |d| = 1, so t = -b ± sqrt(b² - (|f|² - r²))
     /// with b = f·d. For the surface that the ray has left, |f| = r and the roots are 0 and

@@ -1,7 +1,7 @@
 //! The scene in truth's arithmetic, with the constants that the eye's cell gives.
 //!
 //! Mirrors keep every path in the cell of space that the eye is in: no ray crosses a
-//! surface. So on which side of a primitive the path runs is a constant of the scene, and
+//! surface. Thus the side of a primitive on which the path runs is a constant of the scene, and
 //! so is whether a light stands on that side. Both are decided once, in double-double for
 //! either arithmetic, straight from the stated numbers: a camera or a light exactly on a
 //! surface is seen to be there as long as the squares involved fit 106 bits.
@@ -33,9 +33,9 @@ pub(super) struct Primitive<T> {
 }
 
 pub(super) enum Shape<T> {
-    /// `around`: the eye is strictly inside.
+    /// A sphere. `around`: the eye is strictly inside.
     Sphere { center: Vector<T>, radius: T, around: bool },
-    /// `normal`: of length 1, on the eye's side (on the stated side if the eye is on it).
+    /// A plane. `normal`: of length 1, on the eye's side (on the stated side if the eye is on it).
     Plane { point: Vector<T>, normal: Vector<T> },
 }
 
@@ -53,7 +53,7 @@ pub(super) struct Surface<T> {
 pub(super) struct Light<T> {
     pub(super) position: Vector<T>,
     pub(super) intensity: [T; 3],
-    /// For each primitive: `Greater` on the eye's side of it, `Equal` on it, else `Less`.
+    /// Side of each primitive: `Greater` on the eye's, `Equal` on the surface, else `Less`.
     pub(super) sides: Vec<Ordering>,
 }
 
@@ -77,7 +77,7 @@ impl<T: Real> Model<T> {
     }
 }
 
-/// Sphere or plane as the scene states it.
+/// A sphere or plane as the scene states it.
 #[derive(Clone, Copy)]
 struct Stated<'a>(Body<'a>);
 
@@ -105,7 +105,8 @@ impl Stated<'_> {
         }
     }
 
-    /// `Greater` outside a sphere or where a plane's stated normal points, `Equal` on it.
+    /// Side of a point: `Greater` outside a sphere or where a plane's stated normal points, `Equal`
+    /// on the surface, else `Less`.
     fn stated_side(self, at: [f64; 3]) -> Ordering {
         let at = Vector::<DoubleDouble>::from(at);
         let (value, zero_level) = match self.0 {
@@ -126,7 +127,7 @@ impl Stated<'_> {
         self.stated_side(eye) == Ordering::Less
     }
 
-    /// `Greater` on the eye's side, `Equal` on the surface, `Less` beyond it.
+    /// Side of a point: `Greater` on the eye's side, `Equal` on the surface, `Less` beyond it.
     fn side(self, at: [f64; 3], eye: [f64; 3]) -> Ordering {
         let side = self.stated_side(at);
         if self.turned(eye) { side.reverse() } else { side }

@@ -4,8 +4,8 @@ use super::real::Real;
 
 /// `base` to the power `exponent`, for a base in [0, 1] and a finite exponent >= 0.
 ///
-/// By squarings for the whole part and square roots for the fraction, one for each bit of
-/// the exponent: an f64 is a finite sum of powers of two, so no logarithm is needed, no
+/// Method: squarings for the whole part and square roots for the fraction, one for each bit of
+/// the exponent. An f64 is a finite sum of powers of two, so no logarithm is needed, no
 /// libm decides, and double-double keeps its digits.
 /// Error, relative: about as many rounding errors of T as the larger of the exponent and
 /// its number of bits.

@@ -1,4 +1,4 @@
-//! The recursion: the model of the picture, word by word.
+//! The recursion: the model of the picture, term by term.
 
 use std::array::from_fn;
 use std::cmp::Ordering;
@@ -67,7 +67,7 @@ impl<T: Real> Model<T> {
         sum
     }
 
-    /// For each light, whether it lights the hit.
+    /// Whether each light lights the hit.
     pub(super) fn lit(&self, hit: &Hit<T>) -> Vec<bool> {
         let count = &mut DepthCount::default();
         self.lights.iter().map(|light| self.arriving(hit, light, count).is_some()).collect()
@@ -84,7 +84,7 @@ impl<T: Real> Model<T> {
         let zero = T::from(0.0);
         let toward = light.position - hit.point;
         let distance = toward.length();
-        // A light in the plane it is to light grazes it: n·l is 0, whatever rounding says.
+        // A light in the plane that is lit grazes it: n·l is 0, whatever rounding says.
         let plane = matches!(self.primitives[hit.index].shape, Shape::Plane { .. });
         let grazes = plane && light.sides[hit.index] == Ordering::Equal;
         if distance <= zero || grazes {
@@ -115,7 +115,7 @@ impl<T: Real> Model<T> {
         if k <= T::from(0.0) || depth >= self.max_depth || weight < self.min_weight {
             return None;
         }
-        // d - 2(d·n)n has length 1; scaled again, so that rounding does not add up.
+        // d - 2(d·n)n has length 1; it is scaled again, so that rounding does not add up.
         let (d, n) = (ray.direction, hit.normal);
         let along = d.dot(n);
         let direction = (d - n * (along + along)).unit();

@@ -29,8 +29,8 @@ impl<T: Real> Vector<T> {
         self.dot(self).sqrt()
     }
 
-    /// The vector scaled to length 1. The zero vector stays zero: a hit's radial vector is
-    /// that only where rounding has lost a radius smaller than an ulp of the coordinates.
+    /// The vector scaled to length 1. The zero vector stays zero: a hit's radial vector is zero
+    /// only where rounding has lost a radius smaller than an ulp of the coordinates.
     pub(super) fn unit(self) -> Self {
         let length = self.length();
         if length > T::from(0.0) {
@@ -40,8 +40,8 @@ impl<T: Real> Vector<T> {
         }
     }
 
-    /// The same direction at a length whose square neither overflows nor underflows. Scaled
-    /// by a power of two, hence exactly; for stated directions, which may have any length.
+    /// Scales a direction to a length whose square neither overflows nor underflows, by a power of
+    /// two, hence exactly; for stated directions, which may have any length.
     pub(super) fn tamed(self) -> Self {
         let [x, y, z] = self.to_f64().map(f64::abs);
         let largest = x.max(y).max(z);
