@@ -1,9 +1,9 @@
 //! Aside, forward accumulation: NOT bit-identical.
 //!
 //! The sum is carried along, so nothing is owed and there is no stack at all: the
-//! tail-recursive form, which most renderers use. It needs the weights, w = k0 · k1 · ..., to be
-//! distributed over the sum: local0 + k0 · (local1 + k1 · ...) = local0 + w1 · local1 + ... holds
-//! in the reals; in floats it rounds elsewhere.
+//! tail-recursive form, which most renderers use. The weights, w = k0 · k1 · ..., are distributed
+//! over the sum: local0 + k0 · (local1 + k1 · ...) = local0 + w1 · local1 + ... holds in the reals;
+//! in floats it rounds elsewhere.
 
 use glam::Vec3;
 

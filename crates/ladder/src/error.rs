@@ -1,11 +1,11 @@
-//! How deep rungs go, and what they refuse.
+//! Depth that rungs allow, and errors past it.
 
 use catoptric_core::StackFull;
 
 /// The deepest path of rungs with a stack of their own.
 pub const DEEPEST: u32 = 1_000_000;
 
-/// A path went deeper than a rung allows.
+/// Failure of a rung: a path went deeper than it allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Error {
     /// More reflections than a rung's stack holds.

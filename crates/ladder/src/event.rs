@@ -1,7 +1,7 @@
 //! What happens to an eye ray, in one vocabulary for all rungs.
 //!
-//! A rung without recursion calls nothing and returns nothing; it goes through the same
-//! states, in the same order, with the same numbers. That is what the events say.
+//! A rung without recursion calls nothing and returns nothing, but it goes through the same
+//! states, in the same order, with the same numbers. The events show this.
 
 use glam::Vec3;
 
@@ -17,30 +17,30 @@ pub enum Event {
     Call {
         /// Mirrors on the way.
         depth: u32,
-        /// Where it starts, relative to the eye.
+        /// Start, relative to the eye.
         origin: Vec3,
-        /// Where it goes; |direction| is 1.
+        /// Direction; |direction| is 1.
         direction: Vec3,
         /// The product of the mirror factors on the way. `None` where the rung forms none: the
-        /// engine does so only for a cut by weight, a `min_weight` above 0.
+        /// engine forms it only for a cut by weight, a `min_weight` above 0.
         weight: Option<f32>,
     },
-    /// It meets a primitive.
+    /// The ray meets a primitive.
     Hit {
         /// Mirrors on the way.
         depth: u32,
         /// Index in [`Compiled::primitives`](catoptric_scene::Compiled::primitives).
         primitive: usize,
-        /// From the ray's origin, in multiples of |direction|.
+        /// Distance from the ray's origin, in multiples of |direction|.
         distance: f32,
-        /// The light that the lights send back from there.
+        /// The light that the hit itself sends back along the ray.
         local: Vec3,
         /// The mirror factor.
         k: f32,
         /// Whether the mirrored ray sets out.
         followed: bool,
     },
-    /// colour = local + k · back.
+    /// A mirror folds what came back: colour = local + k · back.
     Fold {
         /// Mirrors on the way.
         depth: u32,
@@ -63,7 +63,7 @@ pub enum Event {
 }
 
 impl Event {
-    /// Its mirrors on the way.
+    /// Mirrors on the way of the event's ray.
     #[must_use]
     pub fn depth(&self) -> u32 {
         let (Self::Call { depth, .. }
@@ -73,7 +73,7 @@ impl Event {
         depth
     }
 
-    /// Whether two rungs say the same: equal, but that one of them may form no weight.
+    /// Whether two rungs' events are equal, except that one of them may form no weight.
     #[must_use]
     pub fn agrees(&self, other: &Self) -> bool {
         let formed = |event: &Self| !matches!(event, Self::Call { weight: None, .. });
@@ -93,7 +93,8 @@ impl Event {
         }
     }
 
-    /// Kind and whole numbers, then the bits of all others; every NaN as the same bits.
+    /// The event as kind and whole numbers, then the bits of all floats; every NaN as the same
+    /// bits.
     fn bits(&self) -> ([usize; 4], [u32; 11]) {
         const NONE: Vec3 = Vec3::ZERO;
         let (whole, vectors, numbers) = match *self {
@@ -126,9 +127,9 @@ impl PartialEq for Event {
     }
 }
 
-/// Who sees the events. `()` sees nothing and costs nothing.
+/// An observer of events. `()` sees nothing and costs nothing.
 pub trait Watch {
-    /// Sees one.
+    /// Sees one event.
     fn see(&mut self, event: Event);
 }
 
@@ -150,7 +151,7 @@ impl Watch for &mut dyn Watch {
     }
 }
 
-/// `None` sees nothing.
+/// An observer that may be absent: `None` sees nothing.
 impl<W: Watch> Watch for Option<W> {
     fn see(&mut self, event: Event) {
         if let Some(watch) = self {

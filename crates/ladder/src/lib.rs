@@ -1,7 +1,7 @@
-//! From the recursion to the engine, one rung at a time, and no bit changes.
+//! The way from the recursion to the engine, one rung at a time, and no bit changes.
 //!
-//! Read `README.md` beside this crate, then the rungs in order; each is one file. `walk` holds
-//! what they share, `event` what they can be seen doing.
+//! Read `README.md` beside this crate, then the rungs in order; each is one file. `walk` holds the
+//! steps that all rungs share, `event` the events by which they are compared.
 
 mod aside_forward;
 mod error;

@@ -1,15 +1,15 @@
-//! How much native stack a rung uses: the addresses that it reaches, event by event.
+//! Measures how much native stack a rung uses, by the addresses that it reaches, event by event.
 
 use std::hint::black_box;
 use std::ptr;
 
 use crate::{Event, Watch};
 
-/// Calls `watched` with a watch on the native stack; what that answers, and the bytes from this
-/// call down to the lowest event. What a rung takes below an event, to test a shadow ray say, is
-/// not seen.
+/// Calls `watched` with a watch on the native stack. Gives its answer, and the bytes from this call
+/// down to the lowest event.
 ///
-/// All events must come on this thread.
+/// Stack that a rung takes between events, to test a shadow ray say, is not seen. All events must
+/// come on this thread.
 #[inline(never)]
 pub fn native_stack<R>(watched: impl FnOnce(&mut dyn Watch) -> R) -> (R, usize) {
     let base = black_box(0_usize);
@@ -23,7 +23,7 @@ pub fn native_stack<R>(watched: impl FnOnce(&mut dyn Watch) -> R) -> (R, usize) 
 struct Lowest(usize);
 
 impl Watch for Lowest {
-    /// The event itself lies at the stack's end.
+    /// Notes the address of the event, which lies at the stack's end.
     #[inline(never)]
     fn see(&mut self, event: Event) {
         let here = ptr::from_ref(black_box(&event)).addr();

@@ -1,4 +1,4 @@
-//! From eye rays to a picture, the same for every rung: rows on rayon's threads.
+//! Makes a picture from eye rays, the same for every rung: rows on rayon's threads.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -38,7 +38,7 @@ pub fn render_by(
     })
 }
 
-/// Lets `watch` see the life of one eye ray; its colour.
+/// Lets `watch` see the life of one eye ray; gives the ray's colour.
 ///
 /// # Errors
 /// [`Error::TooDeep`] if the path has more than `deepest` reflections.
@@ -55,7 +55,7 @@ pub fn watch_by<'a>(
     walk.finish().map(|_| colour)
 }
 
-/// Fills every row: `fill` is given its pixels and the positions of its sub-rows.
+/// Fills every row: `fill` gets the row's pixels and the positions of its sub-rows.
 pub(crate) fn rows(
     grid: &Grid,
     film: &mut Film,

@@ -1,7 +1,7 @@
 //! Rung 0, the recursion: colour = local + k · trace(mirrored ray).
 //!
-//! The picture is the reference's own (`reference::trace`). Its recursion stands here once
-//! more, in the two words that all rungs share, so that its events can be seen.
+//! The picture is the reference's own (`reference::trace`). The recursion stands here once more,
+//! in the two operations that all rungs share, so that its events can be seen.
 
 use glam::Vec3;
 

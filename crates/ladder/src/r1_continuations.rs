@@ -8,7 +8,7 @@ use glam::Vec3;
 
 use crate::{Flight, Step, Walk, Watch};
 
-/// What is still to be done with the colour of a ray; it answers with that of the eye ray.
+/// What is still to be done with the colour of a ray; answers with the eye ray's colour.
 type Then<'t, W> = &'t dyn Fn(&mut Walk<W>, Vec3) -> Vec3;
 
 /// The light that comes back along the eye ray.

@@ -11,9 +11,9 @@ use crate::{Flight, PendingBounce, Step, Walk, Watch};
 
 /// What is still owed when the colour of a ray at depth d comes back.
 pub(crate) enum Owed {
-    /// By the eye, d = 0: nothing. The colour is the answer.
+    /// Nothing is owed by the eye, d = 0: the colour is the answer.
     Nothing,
-    /// By the mirror at depth d - 1: to fold the colour, and then the rest.
+    /// A fold is owed by the mirror at depth d - 1, and then the rest.
     Fold(PendingBounce, Box<Owed>),
 }
 

@@ -22,7 +22,7 @@ pub(crate) const LANES: usize = 8;
 /// One step's outcome in all lanes.
 type Level = [PendingBounce; LANES];
 
-/// The light that comes back along the eye rays in flight. Other lanes are black.
+/// The light that comes back along the eye rays in flight; other lanes are black.
 fn trace<W: Watch>(
     walks: &mut [Walk<W>; LANES],
     eyes: [Flight; LANES],
@@ -35,6 +35,7 @@ fn trace<W: Watch>(
     let (mut flights, mut live) = (eyes, in_flight);
     let mut depth = 0;
     while live.contains(&true) {
+        // A lane whose ray has ended, or that never had one, keeps (0, 0): folding gives black.
         let mut level = [PendingBounce { local: Vec3::ZERO, k: 0.0 }; LANES];
         for lane in 0..LANES {
             if !live[lane] {
@@ -64,7 +65,7 @@ fn trace<W: Watch>(
     colours
 }
 
-/// Packets of eight pixels side by side; the last of a row may be partial.
+/// Renders in packets of eight pixels side by side; the last of a row may be partial.
 pub(crate) fn render(scene: &Compiled, grid: &Grid, film: &mut Film) -> Result<Counts, Error> {
     let n = grid.samples as usize;
     rows(grid, film, |pixels, rows| {
@@ -89,7 +90,7 @@ pub(crate) fn render(scene: &Compiled, grid: &Grid, film: &mut Film) -> Result<C
     })
 }
 
-/// Watches one lane of the packet of eye rays that `at` stands in; the others go unseen.
+/// Watches one eye ray, with its whole packet traced; the other lanes go unseen.
 pub(crate) fn watch(
     scene: &Compiled,
     grid: &Grid,
@@ -109,7 +110,7 @@ pub(crate) fn watch(
     Ok(colours[seen])
 }
 
-/// The eye rays of a packet, and which lanes hold one. Idle lanes hold that of the middle.
+/// The eye rays of a packet, and which lanes are in use. Idle lanes hold the middle column's ray.
 fn packet<'a, W: Watch>(
     walks: &[Walk<W>; LANES],
     column: impl Fn(usize) -> Option<&'a f32>,

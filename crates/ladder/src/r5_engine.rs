@@ -1,7 +1,7 @@
 //! Rung 5, the engine: rung 4 with the shading in eight lanes too (`core::trace`).
 //!
-//! The engine knows no events. What its loop leaves on its stack on the way down, and takes
-//! off on the way up, is written down here in the words of the other rungs.
+//! The engine knows no events. Here, what its loop leaves on its stack on the way down and takes
+//! off on the way up is turned into the events of the other rungs.
 
 use catoptric_core::watch::{Bounce, Fold};
 use catoptric_core::{Engine, Settings};
@@ -31,11 +31,11 @@ pub(crate) fn watch(
     Ok(catoptric_core::watch::watch(scene, column, row, settings, &mut words)?.into())
 }
 
-/// Puts the engine's levels in words.
+/// Turns the engine's levels into events.
 struct Words<'a> {
     scene: &'a Compiled,
     watch: &'a mut dyn Watch,
-    /// Of the level that comes next.
+    /// Depth of the level that comes next.
     depth: u32,
 }
 
@@ -47,8 +47,8 @@ impl catoptric_core::watch::Watch for Words<'_> {
         let (local, followed) = (bounce.local.into(), bounce.reflectance > 0.0);
         if let Some((primitive, distance)) = bounce.met {
             let primitive = primitive as usize;
-            // The engine takes k up with the ray that goes on. Of a mirror that it does not
-            // follow it keeps none: then it is the scene's.
+            // The engine keeps k only with a ray that goes on. For a mirror that is not followed,
+            // k is the scene's.
             let material = self.scene.primitives[primitive].material as usize;
             let k =
                 if followed { bounce.reflectance } else { self.scene.materials[material].mirror };

@@ -13,34 +13,34 @@ use crate::{
 
 /// Renders a view into a film of its size, on rayon's current threads.
 ///
-/// Their stacks must hold [`STACK_BYTES`](catoptric_reference::STACK_BYTES) where paths may go
-/// deep and the rung grows the native stack. The settings are the engine's; no other rung has
-/// any. Fails if a path goes too deep; the film is then void. Panics if the film's size is not
-/// the grid's.
+/// The threads' stacks must hold [`STACK_BYTES`](catoptric_reference::STACK_BYTES) where paths may
+/// go deep and the rung grows the native stack. The settings are the engine's; no other rung has
+/// any. Fails if a path goes too deep; the film is then void. Panics if the film's size is not the
+/// grid's.
 pub type RenderView = fn(&Compiled, &Grid, &mut Film, Settings) -> Result<Counts, Error>;
 
-/// Lets the life of one eye ray be seen, the one at an index of [`Grid::columns`] and one of
-/// [`Grid::rows`]; its colour. Settings and errors as for [`RenderView`]; panics if an index is
-/// out of range.
+/// Shows the life of one eye ray, given by an index of [`Grid::columns`] and one of [`Grid::rows`];
+/// gives the ray's colour. Settings and errors as for [`RenderView`]; panics if an index is out of
+/// range.
 pub type WatchRay =
     fn(&Compiled, &Grid, (usize, usize), Settings, &mut dyn Watch) -> Result<Vec3, Error>;
 
 /// One way to trace the same rays.
 #[derive(Clone, Copy, Debug)]
 pub struct Rung {
-    /// `"r0"` to `"r5"`, `"forward"`.
+    /// Short name: `"r0"` to `"r5"`, `"forward"`.
     pub name: &'static str,
-    /// In a few words.
+    /// Title of a few words.
     pub title: &'static str,
-    /// Its file, from the workspace's root.
+    /// Path of the rung's file, from the workspace's root.
     pub file: &'static str,
-    /// The file's text.
+    /// Text of the file.
     pub source: &'static str,
-    /// Whether it promises the recursion's bits.
+    /// Whether the rung promises the recursion's bits.
     pub bit_identical: bool,
     /// Whether native stack use grows with depth.
     pub grows_native_stack: bool,
-    /// Bytes a ray and mirror that it keeps outside the native stack.
+    /// Bytes kept outside the native stack, for each ray and mirror on its way.
     pub level_bytes: usize,
     /// Renders a picture.
     pub render: RenderView,
@@ -49,14 +49,14 @@ pub struct Rung {
 }
 
 impl Rung {
-    /// Lines of its file that are neither blank nor comments.
+    /// Lines of the file that are neither blank nor comments.
     #[must_use]
     pub fn lines_of_code(&self) -> usize {
         let lines = self.source.lines().map(str::trim);
         lines.filter(|line| !line.is_empty() && !line.starts_with("//")).count()
     }
 
-    /// One that promises the recursion's bits and keeps nothing.
+    /// A rung that promises the recursion's bits and keeps nothing.
     const fn new(
         name: &'static str,
         title: &'static str,
@@ -94,7 +94,7 @@ macro_rules! file {
     };
 }
 
-/// From the recursion up to the engine.
+/// The rungs, from the recursion up to the engine.
 pub const RUNGS: [Rung; 6] = [
     Rung::new(
         "r0",
@@ -158,7 +158,7 @@ pub const RUNGS: [Rung; 6] = [
     .keeping(catoptric_core::RAY_BOUNCE_BYTES),
 ];
 
-/// The aside: the sum carried along. Its ray returns once, from the deepest level.
+/// The aside: the sum is carried along, and a ray returns once, from the deepest level.
 pub const FORWARD: Rung = Rung {
     bit_identical: false,
     ..Rung::new(
@@ -172,7 +172,7 @@ pub const FORWARD: Rung = Rung {
     )
 };
 
-/// Where an eye ray passes through the image plane.
+/// Position on the image plane of an eye ray.
 fn position(grid: &Grid, (column, row): (usize, usize)) -> (f32, f32) {
     (grid.columns[column], grid.rows[row])
 }

@@ -1,4 +1,4 @@
-//! What every rung has in common: one step of a ray, and one fold of a colour.
+//! The operations that all rungs share: one step of a ray, and one fold of a colour.
 //!
 //! Both are the reference's operations. A rung decides nothing but when they happen.
 
@@ -9,7 +9,7 @@ use glam::Vec3;
 
 use crate::{Error, Event, Watch};
 
-/// A ray in flight: all that the way down needs.
+/// A ray in flight, with all that the way down needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Flight {
     /// Origin, direction and the primitive just left.
@@ -20,8 +20,8 @@ pub struct Flight {
     pub depth: u32,
 }
 
-/// What a mirror owes: colour = local + k · (what comes back). All that the way up needs, in
-/// 16 bytes.
+/// What a mirror owes: colour = local + k · (what comes back). These 16 bytes are all that the way
+/// up needs.
 #[derive(Clone, Copy, Debug)]
 pub struct PendingBounce {
     /// What the hit itself sends.
@@ -30,12 +30,12 @@ pub struct PendingBounce {
     pub k: f32,
 }
 
-/// What became of a ray.
+/// Outcome of one step of a ray.
 #[derive(Clone, Copy, Debug)]
 pub enum Step {
-    /// It ended, with this colour: the background, or a hit whose mirror is not followed.
+    /// The ray ended with this colour: the background, or a hit whose mirror is not followed.
     Ends(Vec3),
-    /// It met a mirror. Another ray sets out, and the colour waits for it.
+    /// The ray met a mirror. Another ray sets out, and the colour waits for it.
     Mirrors(PendingBounce, Flight),
 }
 
@@ -101,7 +101,7 @@ impl<'a, W: Watch> Walk<'a, W> {
         colour
     }
 
-    /// The rays of the walk.
+    /// Ends the walk and gives the counts of its rays.
     ///
     /// # Errors
     /// [`Error::TooDeep`] if a path was given up.
