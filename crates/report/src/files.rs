@@ -8,9 +8,9 @@ use crate::{csv, html, json, markdown, png, svg};
 /// A file of a report.
 #[derive(Clone, Debug)]
 pub struct File {
-    /// Its name within the report's folder.
+    /// The file's name within the report's folder.
     pub name: String,
-    /// What it holds.
+    /// What the file holds.
     pub bytes: Vec<u8>,
 }
 
@@ -42,7 +42,7 @@ pub fn files(report: &Report, made: &Occasion) -> Vec<File> {
     }
     // The document names the files, itself among them.
     let names: Vec<String> = files.iter().map(|file| file.name.clone()).collect();
-    // And says of all others what they hold.
+    // It also says what every other file holds.
     let others = files.iter().enumerate().filter(|(index, _)| *index != 1);
     let sums: Vec<Sum> = others.map(|(_, file)| Sum::of(&file.name, &file.bytes)).collect();
     files[1].bytes = json::written(report, made, &names, &sums).into_bytes();

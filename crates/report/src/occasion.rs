@@ -1,4 +1,4 @@
-//! Where, when and with what a study was measured.
+//! The place, time, machine and program with which a study was measured.
 
 use std::fmt;
 use std::time::SystemTime;

@@ -5,7 +5,7 @@
 pub struct Picture {
     /// A name for files: lower case, hyphens.
     pub name: String,
-    /// What it shows, a few words.
+    /// What the picture shows, in a few words.
     pub caption: String,
     /// Columns.
     pub width: u32,

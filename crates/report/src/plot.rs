@@ -17,7 +17,7 @@ pub struct Plot {
     pub x_scale: Scale,
     /// How the vertical axis is divided.
     pub y_scale: Scale,
-    /// In the order of the legend; at most eight, so that colours tell them apart.
+    /// Series in the order of the legend; at most eight, so that colours tell them apart.
     pub series: Vec<Series>,
 }
 
@@ -26,9 +26,9 @@ pub struct Plot {
 pub enum Scale {
     /// Evenly.
     Linear,
-    /// By powers of ten; points that are not positive are not drawn.
+    /// Powers of ten stand equally far apart; points that are not positive are not drawn.
     Log,
-    /// By doublings of x + 1, for depths: 0, 1, 3, 7, 15 ... stand equally far apart. For the
+    /// Doublings of x + 1 stand equally far apart, for depths: 0, 1, 3, 7, 15 ... For the
     /// horizontal axis alone; points below 0 are not drawn.
     Doublings,
 }
@@ -36,9 +36,9 @@ pub enum Scale {
 /// One curve.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// Its name in the legend.
+    /// The name in the legend.
     pub name: String,
-    /// Its points, in the order in which they are joined. Points that are not finite are not drawn.
+    /// Points in the order in which they are joined. Points that are not finite are not drawn.
     pub points: Vec<(f64, f64)>,
     /// A bound or a theory, not a measurement: drawn dashed, without marks.
     pub dashed: bool,

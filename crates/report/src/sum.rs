@@ -10,7 +10,7 @@ pub struct Sum {
     pub file: String,
     /// How many bytes it has.
     pub bytes: u64,
-    /// Their FNV-1a sum of 64 bits, in hexadecimal digits.
+    /// FNV-1a sum of the file's bytes, 64 bits, in hexadecimal digits.
     pub fnv1a_64: String,
 }
 

@@ -47,6 +47,7 @@ pub(crate) fn drawing(plot: &Plot) -> String {
     assert!(plot.series.len() <= STYLES.len(), "{}: too many curves for one plot", plot.name);
     let mut drawable: Vec<_> = plot.series.iter().map(|series| points(plot, series)).collect();
     let tiny = plot.y_scale == Scale::Log && drawable.iter().flatten().any(|(_, y)| *y < SMALLEST);
+    // The library knows neither doublings nor numbers this small: move them to where it is linear.
     if plot.x_scale == Scale::Doublings {
         for (x, _) in drawable.iter_mut().flatten() {
             *x = (*x + 1.0).log2();
@@ -57,6 +58,7 @@ pub(crate) fn drawing(plot: &Plot) -> String {
             *y = y.log10();
         }
     }
+    // Curves without points are left out, but the others keep their colours.
     let along = |axis: fn(&(f64, f64)) -> f64| drawable.iter().flatten().map(axis).collect();
     let (xs, ys): (Vec<f64>, Vec<f64>) = (along(|p| p.0), along(|p| p.1));
     let layers: Vec<Layer> = plot
@@ -70,6 +72,7 @@ pub(crate) fn drawing(plot: &Plot) -> String {
     if layers.is_empty() {
         return empty(plot);
     }
+    // Lay out the axes, and label them with the numbers before they were moved.
     let mut layout = Layout::auto_from_plots(&layers)
         .with_theme(theme())
         .with_title(plot.title.as_str())

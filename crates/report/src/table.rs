@@ -109,7 +109,7 @@ impl<T: Into<Cell>> From<Option<T>> for Cell {
 }
 
 impl fmt::Display for Cell {
-    /// As people read it: four digits of a number.
+    /// Writes the cell as people read it: four digits of a number.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Text(text) => f.write_str(text),
