@@ -23,7 +23,7 @@ pub struct Account {
     schema: &'static str,
     /// Grows when a key changes its meaning or goes.
     version: u32,
-    /// As the command line named it; `-` for stdin.
+    /// The scene as the command line named it; `-` for stdin.
     scene: String,
     width: u32,
     height: u32,
@@ -55,9 +55,9 @@ struct Rays {
     shadow: u64,
     /// The most reflections that one has behind it.
     deepest: u32,
-    /// The same with max_depth raised to 256, if it is below; null if rays go on there.
+    /// The most reflections behind a ray with max_depth raised to 256, if it is below; null if rays
     end: Option<u32>,
-    /// By depth, 0 first.
+    /// Counts by depth, 0 first.
     depths: Vec<Depth>,
 }
 
@@ -74,10 +74,10 @@ struct Depth {
 #[derive(Debug, Serialize)]
 struct Cap {
     max_depth: u32,
-    /// For a channel, linear, in exact arithmetic, against the scene's own max_depth; known
+    /// Bound for a channel, linear, in exact arithmetic, against the scene's own max_depth; known
     /// before anything is rendered. Null: no bound.
     bound: Option<f64>,
-    /// The same against a max_depth without end.
+    /// Bound against a max_depth without end, else as `bound`.
     bound_endless: Option<f64>,
 }
 
@@ -108,15 +108,18 @@ impl Account {
             let (max_depth, min_weight) = (scene.render.max_depth, scene.render.min_weight);
             ExplainError::PictureTooDeep { deep, max_depth, min_weight }
         };
+        // Render, to learn which depth is enough and how deep rays go.
         let found = enough(scene, isa).map_err(failed)?;
         let Enough { same_bits, within_a_level, deepest_ray, counts } = found;
         let end = end(scene, isa, deepest_ray).map_err(failed)?;
+        // Plan as the engine would, and tell what the scene has and needs.
         let compiled = Compiled::new(scene);
         let grid = Grid::new(&View::whole(scene));
         let plan = plan::Told::new(&compiled, &grid, isa).map_err(failed)?;
         let used = *Plan::new(&compiled, &grid).features();
         let has = Has::new(scene, &compiled, &used);
         let needs = Needs::new(scene, &compiled, &has, plan.depth);
+        // Bound what paths that end early can change, also for a scene without max_depth.
         let light = LightBounds::new(scene);
         let without_end = Compiled { max_depth: u32::MAX, ..compiled };
         let plan_depth = plan.depth;
@@ -127,6 +130,7 @@ impl Account {
             hits: count.hits,
             shadow: count.shadow,
         };
+        // Put it all together.
         Ok(Self {
             schema: "catoptric-explain",
             version: 1,
@@ -164,7 +168,7 @@ impl Account {
     }
 }
 
-/// Where rays end by themselves, if they do before [`FAR`].
+/// The depth at which rays end by themselves, if they do before [`FAR`].
 fn end(scene: &Scene, isa: Isa, deepest: u32) -> Result<Option<u32>, TooDeep> {
     if deepest < scene.render.max_depth {
         return Ok(Some(deepest));

@@ -33,6 +33,7 @@ pub(crate) struct Drawing {
 
 /// Draws the path. Each leg carries its ray's depth as `data-depth`.
 pub(crate) fn draw(life: &Life) -> Drawing {
+    // Choose the view and the part of it that the path needs.
     let path = Path::of(life);
     let axes = view(life, &path.points);
     let points: Vec<[f64; 2]> = path.points.iter().map(|p| axes.project(*p)).collect();
@@ -40,6 +41,7 @@ pub(crate) fn draw(life: &Life) -> Drawing {
     let met: Vec<&Disc> = path.met.iter().filter_map(|stated| discs.get(*stated)).collect();
     let window = Window::around(&points[1..], points[0], &met);
 
+    // Keep the spheres that are in sight, the ones that were met before all others.
     let mut shown: Vec<&Disc> = discs.iter().filter(|disc| window.shows(disc)).collect();
     let all = shown.len();
     shown.sort_by_key(|disc| !path.met.contains(&disc.stated));
@@ -47,6 +49,7 @@ pub(crate) fn draw(life: &Life) -> Drawing {
     // The larger behind the smaller.
     shown.sort_by(|a, b| b.radius.total_cmp(&a.radius));
 
+    // Draw from the back to the front, marks last.
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" \
          aria-label=\"The path, {}\">\n",
@@ -62,6 +65,7 @@ pub(crate) fn draw(life: &Life) -> Drawing {
     let names: Vec<String> = path.met.iter().map(|&stated| life.name_of(stated)).collect();
     marks::path(&window, &points, &path, &names, &mut svg);
     svg += "</svg>";
+    // Say in the caption what the drawing leaves out.
     let mut caption = caption(&axes, &path, (shown.len(), all), planes.hidden);
     if !window.holds(points[0]) {
         caption += " The eye is outside the drawing.";

@@ -20,7 +20,7 @@ use crate::pixel::Pixel;
 
 /// The life of a pixel's eye ray.
 pub struct Life<'a> {
-    /// As the command line named it; `-` for stdin.
+    /// The scene as the command line named it; `-` for stdin.
     pub(crate) name: &'a str,
     pub(crate) scene: &'a Scene,
     pub(crate) compiled: Compiled,
@@ -52,12 +52,14 @@ impl<'a> Life<'a> {
         isa: Isa,
     ) -> Result<Self, ExplainError> {
         pixel.check(scene)?;
+        // One pixel is compiled as the whole picture is.
         let compiled = Compiled::new(scene);
         let crop = Crop { x: pixel.x, y: pixel.y, width: 1, height: 1 };
         let view = View::new(scene, Some(crop), 1).expect("one pixel of the image");
         let grid = Grid::new(&view);
         let [recursion, .., the_loop, _, engine] = &RUNGS;
 
+        // Watch the recursion; where its stack is too small, the loop that does the same.
         let settings = Settings { isa, stack_limit: STACK_LIMIT };
         let watch = |rung: &Rung, watch: &mut dyn Watch| {
             (rung.watch)(&compiled, &grid, (0, 0), settings, watch).map(drop)
@@ -68,12 +70,14 @@ impl<'a> Life<'a> {
         };
         let told = log(recursion).or_else(|_| log(the_loop));
         let (recursion, events) = told.map_err(|_| too_deep(scene))?;
+        // Watch the engine's rung too, and render the pixel without a watcher.
         let mut same = Same { expected: events.iter(), differs: false, weights: false };
         watch(engine, &mut same).map_err(|_| too_deep(scene))?;
         let mut film = Film::new(1, 1);
         let rendered = Tracer::Packet(isa).render(&compiled, &grid, &mut film);
         rendered.map_err(|_| too_deep(scene))?;
 
+        // All three must agree on events and bits, or the explanation would be wrong.
         let colour = film.pixels()[0];
         let Some(Event::Return { colour: returned, .. }) = events.last() else {
             unreachable!("the last thing that a ray does is to return")
@@ -85,6 +89,7 @@ impl<'a> Life<'a> {
             let Pixel { x, y } = pixel;
             return Err(ExplainError::Differs { x, y });
         }
+        // Tell rays in the scene's axes; they were in the camera's.
         let engine_forms_weights = same.weights;
         let events = in_the_world(events, &compiled.axes);
         let quantiser = Quantiser::new(scene.image.transfer);
@@ -113,12 +118,12 @@ impl<'a> Life<'a> {
         self.events.iter().map(Event::depth).max().unwrap_or(0)
     }
 
-    /// Where the scene states a primitive: `spheres[2]`, as its error messages have it.
+    /// The place where the scene states a primitive: `spheres[2]`, as its error messages have it.
     pub(crate) fn stated(&self, primitive: usize) -> String {
         self.name_of(self.compiled.primitives[primitive].stated as usize)
     }
 
-    /// The same of a place among the scene's spheres; planes come after.
+    /// Name of a place among the scene's spheres, as [`Self::stated`] has it; planes come after.
     pub(crate) fn name_of(&self, stated: usize) -> String {
         let spheres = self.scene.spheres.len();
         match stated.checked_sub(spheres) {
@@ -127,7 +132,7 @@ impl<'a> Life<'a> {
         }
     }
 
-    /// Its levels in an 8-bit picture.
+    /// Levels of a colour in an 8-bit picture.
     pub(crate) fn levels(&self, colour: [f32; 3]) -> [u8; 3] {
         colour.map(|channel| self.quantiser.level(channel))
     }
@@ -167,7 +172,7 @@ impl<'a> Life<'a> {
 #[derive(Clone, Copy, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Last {
-    /// It owes nothing.
+    /// The surface reflects nothing, so the hit owes nothing.
     NoMirror,
     MaxDepth,
     MinWeight,

@@ -50,6 +50,7 @@ pub fn page(
     isa: Isa,
     png: impl FnOnce(&Picture) -> Vec<u8>,
 ) -> Result<String, ExplainError> {
+    // Make the parts: the picture, the steps and the drawing.
     let picture = render(life.scene, isa)?;
     let png = png(&picture);
     let (steps, hidden) = steps(life);
@@ -59,6 +60,7 @@ pub fn page(
     let place = |at: u32, size: u32| (f64::from(at) + 0.5) / f64::from(size) * 100.0;
     // How many times a tiny picture is enlarged.
     let times = (SMALL / picture.width.max(picture.height)).max(1);
+    // Say what is enlarged, made smaller or left out.
     let scaled = if (picture.width, picture.height) != (width, height) {
         format!(", here in {}x{}", picture.width, picture.height)
     } else if times > 1 {
@@ -75,6 +77,7 @@ pub fn page(
     };
     // Numbers and the words of this program: nothing that could end the element.
     let script_data = serde_json::to_string(&steps).expect("keys are strings");
+    // Fill the template; texts from the scene are escaped.
     let values = [
         ("policy", POLICY.to_owned()),
         ("title", escaped(&about(life)[0])),

@@ -7,9 +7,9 @@ use crate::error::ExplainError;
 /// A pixel of the image; 0, 0 is the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pixel {
-    /// Its column.
+    /// The pixel's column.
     pub x: u32,
-    /// Its row.
+    /// The pixel's row.
     pub y: u32,
 }
 

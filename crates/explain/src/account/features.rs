@@ -6,11 +6,11 @@ use catoptric_core::Features;
 use catoptric_scene::{Body, Compiled, Numerics, Power, Scene};
 use serde::Serialize;
 
-/// What it has.
+/// What the scene has.
 #[derive(Debug, Serialize)]
 pub(super) struct Has {
     pub(super) primitives: Primitives,
-    /// By k, the largest first.
+    /// Mirror factors, the largest first.
     pub(super) mirrors: Vec<Mirror>,
     pub(super) highlights: Highlights,
     pub(super) lamps: Lamps,
@@ -23,9 +23,9 @@ pub(super) struct Has {
 /// Primitives, by statement and by form.
 #[derive(Debug, Serialize)]
 pub(super) struct Primitives {
-    /// As stated.
+    /// Spheres as stated.
     pub(super) spheres: usize,
-    /// As stated.
+    /// Planes as stated.
     pub(super) planes: usize,
     /// Surfaces that an earlier one is already; never seen, and not compiled.
     pub(super) stated_twice: usize,
@@ -49,28 +49,28 @@ pub(super) struct Mirror {
 pub(super) struct Highlights {
     /// Whole exponents up to 1024: by squaring.
     pub(super) whole: usize,
-    /// Others: by exponential and logarithm.
+    /// Other exponents: by exponential and logarithm.
     pub(super) fractional: usize,
 }
 
-/// Lamps.
+/// Lights.
 #[derive(Debug, Serialize)]
 pub(super) struct Lamps {
     pub(super) stated: usize,
     /// Behind some primitive for all that can be seen: they light nothing.
     pub(super) hidden: usize,
-    /// Lamps of intensity 0.
+    /// Lights of intensity 0.
     pub(super) off: usize,
-    /// Whose channels differ.
+    /// Lights whose channels differ.
     pub(super) coloured: usize,
 }
 
-/// What it needs.
+/// What the scene needs of the engine.
 #[derive(Debug, Serialize)]
 pub(super) struct Needs {
-    /// Some lamp can light something that shows it.
+    /// Some light can shine on something that shows it.
     pub(super) shadow_rays: bool,
-    /// Some lamp can make a highlight.
+    /// Some light can make a highlight.
     pub(super) highlights: bool,
     /// Some mirror can be followed.
     pub(super) reflection_rays: bool,

@@ -34,8 +34,8 @@ pub(super) struct Told {
     pub(super) empty_tiles: usize,
     /// Primitives that a tile's eye rays try, in the mean.
     pub(super) tried_a_tile: f64,
-    /// Primitives that can stand between a lamp and some point of a primitive, in the mean over
-    /// both; the engine tries those of a tile's points, which are fewer. Null without a lamp that
+    /// Primitives that can stand between a light and some point of a primitive, in the mean over
+    /// both; the engine tries those of a tile's points, which are fewer. Null without a light that
     /// lights something, with textbook numerics, and with more than 2048 primitives.
     pub(super) occluders: Option<f64>,
 }

@@ -70,6 +70,7 @@ fn write_has(has: &Has, to: &mut dyn Write) -> io::Result<()> {
         let twice = primitives.stated_twice;
         line("", &format!("{twice} surfaces stated twice, of which the first is seen"))?;
     }
+    // Mirrors by factor, the strongest first, and only some of them.
     let mirrors: usize = has.mirrors.iter().map(|mirror| mirror.primitives).sum();
     line("mirrors", &mirrors.to_string())?;
     for mirror in has.mirrors.iter().take(FACTORS) {
@@ -78,6 +79,7 @@ fn write_has(has: &Has, to: &mut dyn Write) -> io::Result<()> {
     if let Some(more) = has.mirrors.len().checked_sub(FACTORS + 1) {
         line("", &format!("... and {} further factors, all in --json", more + 1))?;
     }
+    // Highlights by the way in which they are computed.
     let highlights = &has.highlights;
     line("highlights", &(highlights.whole + highlights.fractional).to_string())?;
     if highlights.whole + highlights.fractional > 0 {
@@ -85,6 +87,7 @@ fn write_has(has: &Has, to: &mut dyn Write) -> io::Result<()> {
         line("", &format!("{whole} of whole shininess up to 1024, by squaring"))?;
         line("", &format!("{fractional} of another, by exponential and logarithm"))?;
     }
+    // Lights, and those that light nothing.
     let lamps = &has.lamps;
     line("lamps", &format!("{}, {} of them coloured", lamps.stated, lamps.coloured))?;
     line("", &format!("{} hidden from all that can be seen", lamps.hidden))?;
@@ -97,6 +100,7 @@ fn write_has(has: &Has, to: &mut dyn Write) -> io::Result<()> {
 
 fn write_plan(account: &Account, to: &mut dyn Write) -> io::Result<()> {
     let plan = &account.plan;
+    // A depth that the scene sets by itself is worth telling.
     if plan.depth_set_by != "max_depth" {
         let depth = plan.depth;
         let why = match (plan.depth_set_by, depth) {
@@ -107,6 +111,7 @@ fn write_plan(account: &Account, to: &mut dyn Write) -> io::Result<()> {
         writeln!(to, "  depth       no ray can have more than {depth} reflections")?;
         writeln!(to, "              {why}")?;
     }
+    // What is left out, with its reason and what that saves or costs.
     for omitted in &plan.omitted {
         writeln!(to, "  {:<12}{}", omitted.name, omitted.what)?;
         writeln!(to, "              {}", omitted.why)?;
@@ -127,6 +132,7 @@ fn write_plan(account: &Account, to: &mut dyn Write) -> io::Result<()> {
     if plan.omitted.is_empty() {
         writeln!(to, "  nothing of this scene's own")?;
     }
+    // What is culled before a ray is traced.
     let (tiles, empty, tried) = (plan.tiles, plan.empty_tiles, plan.tried_a_tile);
     let primitives = account.has.primitives.spheres + account.has.primitives.planes;
     writeln!(to, "  of {primitives} primitives a tile's eye rays try {tried:.2} in the mean;")?;

@@ -6,7 +6,7 @@ use crate::life::Life;
 /// A view axis by axis: where the drawing's right and up point.
 pub(super) struct Axes {
     pub(super) name: &'static str,
-    /// Where a ray may pass what it crosses in the drawing.
+    /// How a ray may pass what it crosses in the drawing, in words.
     pub(super) passes: &'static str,
     right: [f64; 3],
     up: [f64; 3],

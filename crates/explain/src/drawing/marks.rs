@@ -22,6 +22,7 @@ pub(super) fn path(
     names: &[String],
     svg: &mut String,
 ) {
+    // A line for each leg, told apart where the ray leaves the scene.
     let placed: Vec<[f64; 2]> = points.iter().map(|p| window.place(*p)).collect();
     for (depth, leg) in placed.windows(2).enumerate() {
         let ([x1, y1], [x2, y2]) = (leg[0], leg[1]);
@@ -33,10 +34,12 @@ pub(super) fn path(
             ),
         );
     }
+    // The eye is named first, so that no other name takes its place.
     let mut labels = Labels::default();
     let [x, y] = placed[0];
     push(svg, format_args!("<circle class=\"hit\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"4\"/>\n"));
     labels.name([x, y], "eye", svg);
+    // A mark for each hit, and names as long as there is room for them.
     for (depth, &[x, y]) in placed.iter().skip(1).take(path.met.len()).enumerate() {
         push(
             svg,

@@ -1,4 +1,4 @@
-//! Where the ray goes, as points.
+//! The ray's path as points.
 
 use catoptric_ladder::Event;
 use catoptric_scene::Scene;
@@ -8,7 +8,7 @@ use crate::life::Life;
 /// Hits that are drawn.
 pub(super) const HITS: usize = 200;
 
-/// Where the ray goes.
+/// A ray's path in the scene.
 pub(super) struct Path {
     /// The eye, then every hit; then, if the last ray leaves, a point on its way.
     pub(super) points: Vec<[f64; 3]>,

@@ -14,9 +14,9 @@ const TANGENT: f64 = 18.0;
 
 /// A plane in a view.
 struct Shown {
-    /// Of its material.
+    /// Colour of the plane's material.
     color: [f64; 3],
-    /// Its unit normal as the view has it: as long as it is seen edge on.
+    /// Unit normal as the view has it: its length is 1 where the plane is seen edge on.
     normal: [f64; 2],
     /// Along the normal, relative to the eye.
     height: f64,

@@ -37,7 +37,7 @@ impl Window {
         Self { middle: [0, 1].map(|i| (bounds.low[i] + bounds.high[i]) / 2.0), scale }
     }
 
-    /// To the drawing's units, y downwards.
+    /// Converts a point to the drawing's units, y downwards.
     pub(super) fn place(&self, point: [f64; 2]) -> [f64; 2] {
         let [x, y] = [0, 1].map(|i| (point[i] - self.middle[i]) * self.scale);
         [WIDTH / 2.0 + x, HEIGHT / 2.0 - y]

@@ -57,8 +57,8 @@ struct Step {
     numbers: Numbers,
 }
 
-/// The same for both, but that a weight may be the recursion's alone, and k of a hit that is not
-/// followed is.
+/// Numbers that are the same for both, but that a weight may be the recursion's alone, and k of
+/// a hit that is not followed is.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Numbers {
@@ -68,7 +68,7 @@ enum Numbers {
         weight: Option<f32>,
     },
     Hit {
-        /// Where the scene states it.
+        /// The place where the scene states the primitive.
         primitive: String,
         distance: f32,
         local: [f32; 3],

@@ -68,6 +68,7 @@ pub(crate) fn about(life: &Life) -> Vec<String> {
 pub(crate) fn tell(life: &Life, index: usize) -> Told {
     let told = |recursion: String, engine: String, numbers| Told { recursion, engine, numbers };
     match life.events[index] {
+        // A call is one more frame; in the engine the next ray takes the place of the last.
         Event::Call { depth, origin, direction, weight } => told(
             format!("call trace, depth {depth}"),
             match depth {
@@ -80,6 +81,7 @@ pub(crate) fn tell(life: &Life, index: usize) -> Told {
                 ("weight", self::weight(life, weight)),
             ],
         ),
+        // A hit either owes its mirror's part, which the engine pushes, or ends the path.
         Event::Hit { depth, primitive, distance, local, k, followed } => {
             let name = life.stated(primitive);
             let mut numbers = vec![("distance", number(distance)), ("local", rgb(local))];
@@ -92,6 +94,7 @@ pub(crate) fn tell(life: &Life, index: usize) -> Told {
             numbers.extend(why(life, depth, k).map(|why| ("", why)));
             told(format!("hit {name}, the last"), format!("level {depth} owes nothing"), numbers)
         }
+        // A fold pays what was owed.
         Event::Fold { depth, local, k, back, colour } => told(
             format!("fold at depth {depth}"),
             format!("pop level {depth}: fold back"),
@@ -101,6 +104,7 @@ pub(crate) fn tell(life: &Life, index: usize) -> Told {
                 ("colour", rgb(colour)),
             ],
         ),
+        // A ray that meets nothing returns the background, and others what was folded.
         Event::Return { depth, colour } if life.misses(index) => told(
             "meet nothing: return background".to_owned(),
             format!("level {depth} owes nothing"),

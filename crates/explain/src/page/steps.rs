@@ -12,7 +12,7 @@ const LEVELS: u32 = 200;
 /// A step as the page's script reads it.
 #[derive(Serialize)]
 pub(super) struct Step {
-    /// From 1, also past what the page leaves out.
+    /// Number of the step from 1, counting what the page leaves out.
     pub(super) number: usize,
     pub(super) depth: u32,
     /// What the recursion does, in a word; `gap` for steps that the page leaves out.
@@ -24,7 +24,7 @@ pub(super) struct Step {
     pub(super) numbers: Vec<(&'static str, String)>,
     /// A hit whose mirror is followed.
     pub(super) owed: Option<Owed>,
-    /// That is at hand after the step.
+    /// The colour at hand after the step.
     pub(super) colour: Option<Colour>,
     pub(super) gap: Option<Gap>,
 }
@@ -41,7 +41,7 @@ pub(super) struct Owed {
 #[derive(Serialize)]
 pub(super) struct Colour {
     text: String,
-    /// In an 8-bit picture.
+    /// Levels in an 8-bit picture.
     levels: [u8; 3],
     pub(super) css: String,
 }
