@@ -21,7 +21,6 @@ const OFFENCES: &[(&str, usize)] = &[
     ("ladder", 16),
     ("reference", 18),
     ("scene", 50),
-    ("study", 66),
 ];
 
 #[test]

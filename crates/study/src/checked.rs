@@ -86,6 +86,7 @@ pub fn check_then_time(
     let mut film = Film::new(grid.width, grid.height);
     let mut checked = Vec::new();
     let mut jobs = Vec::new();
+    // Check every picture before any is timed.
     'groups: for (g, group) in groups.iter().enumerate() {
         if watch.stopped() {
             break;
@@ -108,6 +109,7 @@ pub fn check_then_time(
             jobs.push((group.scene, way, count));
         }
     }
+    // Time what was traced, all jobs in turn, so that a slow minute of the machine meets all alike.
     let times = in_turn(jobs.len(), repeat, watch, |i| {
         checked[i].outcome.counts()?;
         let (scene, way, count) = jobs[i];

@@ -36,6 +36,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Report, Mismatch> {
         "Time of tracing alone by scene, engine, depth and threads, all of a scene run in turn.",
     );
     let mut parts = Vec::new();
+    // Measure scene by scene. The table of all comes before the words on each.
     for subject in request.subjects {
         if watch.stopped() {
             break;
@@ -48,6 +49,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Report, Mismatch> {
         parts.push((subject, rows));
     }
     report.table(table);
+    // Words, plots and levels of each scene.
     let mut levels = levels::table();
     for (subject, rows) in &parts {
         report.heading(&subject.name);
@@ -62,6 +64,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Report, Mismatch> {
     }
     report.heading("What happens at each depth");
     report.table(levels);
+    // The waterfall is of the first scene alone.
     if let Some((subject, _)) = parts.first()
         && !watch.stopped()
     {

@@ -39,6 +39,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Report {
     );
     let mut floors = floors::table();
     let mut parts = Vec::new();
+    // Measure scene by scene. The table of all comes before the words on each.
     for subject in request.subjects {
         if watch.stopped() {
             break;
@@ -55,6 +56,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Report {
         }
         parts.push((subject, measured));
     }
+    // Words and plots of each scene.
     report.table(table);
     for (subject, measured) in &parts {
         report.heading(&subject.name);
@@ -70,6 +72,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Report {
         }
         plots::add(&mut report, &subject.name, &measured.rows);
     }
+    // What each formula leaves at full depth.
     report.heading("Floors");
     report.table(floors);
     for (subject, measured) in &parts {

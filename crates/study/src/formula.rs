@@ -21,13 +21,13 @@ pub enum Formula {
 }
 
 impl Formula {
-    /// All of them.
+    /// All formulas.
     pub const ALL: [Self; 3] = [Self::TextbookF32, Self::RobustF32, Self::RobustF64];
 
     /// The formulas in f32.
     pub const F32: [Self; 2] = [Self::TextbookF32, Self::RobustF32];
 
-    /// Its name in reports.
+    /// The formula's name in reports.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -37,7 +37,7 @@ impl Formula {
         }
     }
 
-    /// What its paths are computed in.
+    /// The arithmetic that the formula's paths are computed in.
     #[must_use]
     pub fn arithmetic(self) -> Arithmetic {
         match self {

@@ -1,7 +1,7 @@
 //! How much light a scene can hold: a-priori bounds on a picture and on what ending its paths
 //! early leaves out.
 //!
-//! With L_i the most that primitive i sends back of ambient light and lamps, k_i its mirror
+//! With L_i the most that primitive i sends back of ambient and other light, k_i its mirror
 //! factor and bg the background, what i sends back with m further reflections is at most
 //!
 //! ```text
@@ -14,8 +14,8 @@
 //! alternate, which is what makes the bound sharper than k^(d+1)/(1 - k) · L_max (Hall and
 //! Greenberg, A testbed for realistic image synthesis, 1983, cut their paths by that weight).
 //!
-//! All of it is of one channel, or of the largest of each. Bounds are of exact arithmetic: what f32 adds
-//! is a term of its own.
+//! Every quantity is of one channel, or of the largest of each. Bounds are of exact arithmetic:
+//! what f32 adds is a term of its own.
 
 use std::sync::OnceLock;
 
@@ -146,7 +146,7 @@ impl LightBounds {
         bounds
     }
 
-    /// For each primitive the largest of `values` over those it can show, and of `other`.
+    /// The largest of `values` over those that a primitive can show, and of `other`, by primitive.
     fn shown(&self, values: &[f64], other: f64) -> Vec<f64> {
         // The largest and the second largest tell it for all.
         let first = (0..values.len()).reduce(|a, b| if values[b] > values[a] { b } else { a });
@@ -168,7 +168,7 @@ impl LightBounds {
     }
 }
 
-/// L: ambient light, and all lamps at their brightest.
+/// L: ambient light, and all lights at their brightest.
 fn local(scene: &Scene, material: &Material, channels: &[usize]) -> f64 {
     let of_channel = |&c: &usize| {
         let lamps: f64 = scene.lights.iter().map(|light| light.intensity[c]).sum();

@@ -52,6 +52,7 @@ impl Metrics {
         let mut largest = Vec::with_capacity(found.len());
         let pairs = found.iter().zip(truth).enumerate();
         for (_, (found, truth)) in pairs.filter(|(index, _)| counts(*index)) {
+            // Channels that are not finite are counted, and left out of RMSE and maximum.
             let mut of_pixel = 0.0_f64;
             for (found, truth) in found.iter().zip(truth) {
                 if !found.is_finite() {
@@ -64,11 +65,13 @@ impl Metrics {
                 of_pixel = if difference > of_pixel { difference } else { of_pixel };
             }
             largest.push(of_pixel);
+            // Levels are compared as an 8-bit picture shows them.
             let pairs = levels(found).into_iter().zip(levels(truth));
             let worst = pairs.map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0);
             off += u64::from(worst > 0);
             off_by_more += u64::from(worst > 1);
         }
+        // Percentiles by nearest rank, over each pixel's largest difference.
         largest.sort_by(f64::total_cmp);
         let at = |share: f64| {
             let rank = (largest.len() as f64 * share).ceil() as usize;

@@ -12,7 +12,7 @@ use crate::tracer::{STACK_LIMIT, TooDeep};
 /// What one omission saves.
 #[derive(Clone, Copy, Debug)]
 pub struct Saving {
-    /// Which.
+    /// The omission.
     pub omission: Omission,
     /// 1 - t/t', by least times of tracing: t by the plan, t' by the plan without the omission.
     /// Below 0 where finding out what may be left out costs more.

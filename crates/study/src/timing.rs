@@ -10,14 +10,14 @@ pub enum Repeat {
     /// 20 times, but not again once a run has taken over [`LONG`] (the practice of
     /// work-precision diagrams), and in turn no longer than [`LONGEST`].
     Enough,
-    /// That many times.
+    /// A fixed number of times.
     Times(u32),
 }
 
-/// A run of more than that is not made again.
+/// A run that takes longer is not made again.
 pub const LONG: Duration = Duration::from_secs(2);
 
-/// After that long no thing is run again that was run once. All things in turn together.
+/// Time for all things in turn together. After it nothing that was run once is run again.
 pub const LONGEST: Duration = Duration::from_secs(600);
 
 /// Above that ratio of median to minimum the machine was not quiet.

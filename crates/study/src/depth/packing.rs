@@ -28,8 +28,8 @@ struct Held {
 }
 
 impl Lengths {
-    /// For each depth the mean number of rays alive among eight neighbours in a row, of which at
-    /// least one is.
+    /// Mean number of rays alive among eight neighbours in a row, by depth. Neighbours of
+    /// which none is alive do not count.
     pub(super) fn among_neighbours(&self) -> Vec<f64> {
         let mut held = Vec::new();
         for row in self.rays.chunks(self.width) {
@@ -40,8 +40,8 @@ impl Lengths {
         means(&held)
     }
 
-    /// For each depth the mean number of rays in the engine's packets, down to depth 1024. Eye
-    /// rays of tiles that show nothing, which it does not trace, count as if it did.
+    /// Mean number of rays in the engine's packets, by depth, down to depth 1024. Eye rays of
+    /// tiles that show nothing count as if the engine traced them.
     pub(super) fn in_packets(&self) -> Vec<f64> {
         let [columns, rows] = TILE;
         let mut held = Vec::new();

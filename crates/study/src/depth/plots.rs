@@ -7,6 +7,7 @@ use super::row::Row;
 /// Adds time and time per ray against depth.
 pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
     let who = |row: &Row| (row.way.name(), row.threads);
+    // A curve for each way and number of threads.
     let curves = |value: fn(&Row) -> Option<f64>| {
         let mut ways: Vec<_> = rows.iter().map(who).collect();
         ways.sort_unstable();
@@ -20,6 +21,7 @@ pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
         };
         ways.into_iter().rev().map(curve).collect()
     };
+    // The same rows twice: the time of a picture, and of a ray.
     report.plot(Plot {
         name: format!("depth-{scene}-time"),
         title: format!("{scene}: time of tracing against depth"),

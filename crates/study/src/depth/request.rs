@@ -16,9 +16,9 @@ pub struct Request<'a> {
     pub depths: &'a [u32],
     /// Who traces; no two of one name.
     pub ways: &'a [Way],
-    /// On how many threads.
+    /// Numbers of threads to trace on.
     pub threads: &'a Threads,
-    /// How often.
+    /// How often each picture is timed.
     pub repeat: Repeat,
     /// The engine's instruction set.
     pub isa: Isa,
@@ -32,11 +32,11 @@ pub struct Request<'a> {
 pub struct Mismatch {
     /// The scene's name.
     pub scene: String,
-    /// Its `max_depth`.
+    /// The scene's `max_depth`.
     pub depth: u32,
     /// What traced it.
     pub way: String,
-    /// On how many threads.
+    /// Number of threads that traced.
     pub threads: usize,
     /// What is not the same.
     pub difference: Difference,

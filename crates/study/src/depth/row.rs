@@ -108,7 +108,7 @@ pub(super) fn words(rows: &[Row]) -> String {
     if rows.iter().all(|row| row.way.name() != recursion) {
         return said + " The recursion was not asked for, so there is no speed-up over it.";
     }
-    // Of the engine the most threads, or of the recursion where nothing else was asked for.
+    // The engine on the most threads, or the recursion where nothing else was asked for.
     let most = deepest.iter().max_by_key(|row| (row.way.name() != recursion, row.threads));
     let Some(row) = most.filter(|row| (row.way.name(), row.threads) != (recursion, 1)) else {
         return said + " Nothing but the recursion on one thread was asked for.";

@@ -1,4 +1,4 @@
-//! Where the speed comes from: one change at a time, from the recursion to the engine.
+//! Sources of the speed: one change at a time, from the recursion to the engine.
 
 use catoptric_core::{Isa, Omission, Plan};
 use catoptric_report::{Column, Report, Table};
@@ -40,6 +40,7 @@ pub(super) fn add(
     let (steps, ways): (Vec<String>, Vec<(Way, usize)>) =
         steps(&Plan::new(&scene, &grid), request.isa, most).into_iter().unzip();
     report.heading("Where the speed comes from");
+    // A machine may refuse the threads; that ends this part and not the study.
     let threads = match Threads::new(ways.iter().map(|(_, threads)| *threads)) {
         Ok(threads) => threads,
         Err(error) => {
@@ -47,6 +48,7 @@ pub(super) fn add(
             return Ok(());
         }
     };
+    // Steps are compared only if all of them give the recursion's picture.
     let groups = [Group { scene: &scene, ways: &ways }];
     let checked = check_then_time(&groups, &grid, &threads, request.repeat, watch);
     let checked = checked.map_err(|(_, i, difference)| {
@@ -61,6 +63,7 @@ pub(super) fn add(
         return Ok(());
     }
 
+    // A row for each step, with its gain over the step above and over the first.
     let caption = format!(
         "Where the speed comes from: {} to depth {depth}, every step with the same bits and rays.",
         subject.name

@@ -1,4 +1,4 @@
-//! Which depth is enough.
+//! The depth that is enough for a scene.
 
 use catoptric_core::Isa;
 use catoptric_scene::{Compiled, Counts, Film, Grid, Quantiser, Scene, View};

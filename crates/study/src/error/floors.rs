@@ -37,7 +37,7 @@ const COLUMNS: &[Column] = &[
     },
 ];
 
-/// By scene and formula.
+/// The table of floors by scene and formula.
 pub(super) fn table() -> Table {
     Table::new(
         "floors",

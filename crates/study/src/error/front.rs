@@ -1,4 +1,4 @@
-//! Which settings are worth their time.
+//! Settings that are worth their time.
 
 use catoptric_report::Cell;
 
@@ -6,7 +6,8 @@ use super::row::{Row, Sweep};
 use crate::formula::Formula;
 use crate::metrics::Metrics;
 
-/// Which of these (time, error) no other beats, being as good in one and better in the other.
+/// Whether no other of these (time, error) beats one, being as good in one and better in the other.
+/// Never true of a failure, which has neither.
 /// Never a failure, which has none.
 #[must_use]
 pub fn on_front(points: &[Option<(f64, f64)>]) -> Vec<bool> {
@@ -47,7 +48,7 @@ pub(super) fn target(rows: &[Row], target: f64) -> String {
 fn aim(rows: &[Row], aim: &str, reaches: &dyn Fn(&Metrics) -> bool) -> String {
     let reaching = |row: &&Row| row.sound().is_some_and(reaches);
     let cheapest = |sweep: Sweep| {
-        // Of a formula the coarsest setting: finer ones cost more, whatever the clock says.
+        // Only the coarsest setting of a formula: finer ones cost more, whatever the clock says.
         let coarsest = Formula::ALL.into_iter().filter_map(|formula| {
             rows.iter().filter(|r| r.sweep == sweep && r.formula == formula).find(reaching)
         });

@@ -25,6 +25,7 @@ pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
             series.push(Series { name, points, dashed: true });
         }
     }
+    // Work against precision, a mark for each depth.
     report.plot(Plot {
         name: format!("error-{scene}-work-precision"),
         title: format!("{scene}: error against time of tracing"),
@@ -38,6 +39,7 @@ pub(super) fn add(report: &mut Report, scene: &str, rows: &[Row]) {
         y_scale: Scale::Log,
         series,
     });
+    // The error by each knob's own setting.
     knob(report, scene, rows, Sweep::Depth, "max_depth", Scale::Doublings);
     knob(report, scene, rows, Sweep::Weight, "min_weight", Scale::Log);
     report.plot(Plot {

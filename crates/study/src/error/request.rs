@@ -12,7 +12,7 @@ pub struct Request<'a> {
     pub tracer: Tracer,
     /// Pools; the largest one makes truth.
     pub threads: &'a Threads,
-    /// On how many threads each setting is timed; one of the pools has that many.
+    /// Number of threads each setting is timed on; one of the pools has that many.
     pub timed_on: usize,
     /// How often each setting is timed.
     pub repeat: Repeat,

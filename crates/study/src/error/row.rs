@@ -36,7 +36,7 @@ pub(super) struct Parts {
     pub(super) truncation: f64,
     /// What that is at most, known before anything is traced.
     pub(super) bound_truncation: f64,
-    /// Pixels whose path is not truth's: another primitive, or another lamp in view.
+    /// Pixels whose path is not truth's: another primitive, or another light in view.
     pub(super) flipped: usize,
     /// All other pixels; `None` where there are none.
     pub(super) unflipped: Option<Unflipped>,

@@ -34,7 +34,7 @@ pub(super) fn small(sized: &Subject) -> Scene {
     })
 }
 
-/// At most `longest` columns and rows, with the same shape.
+/// Shrinks to at most `longest` columns and rows, with the same shape.
 pub(super) fn fit(width: u32, height: u32, longest: u32) -> (u32, u32) {
     let larger = if width > height { width } else { height };
     if larger <= longest {

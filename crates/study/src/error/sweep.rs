@@ -24,7 +24,7 @@ pub(super) struct Measured {
 }
 
 const DEPTHS: [u32; 14] = [0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 128, 256];
-/// From the coarsest to the finest, as all of these.
+/// Weight cuts from the coarsest to the finest, as every list of settings here.
 const WEIGHTS: [f64; 10] = [0.5, 0.2, 0.1, 0.05, 0.02, 1.0 / 255.0, 1e-3, 1e-4, 1e-5, 1e-6];
 const SAMPLES: [u32; 6] = [1, 2, 3, 4, 6, 8];
 
@@ -37,6 +37,7 @@ pub(super) fn measure(subject: &Subject, request: &Request, watch: &dyn Watch) -
     };
     // `None` once it is stopped.
     let _ = study.sweep(subject);
+    // Floors are left out once it is stopped.
     let scene = &study.truth.scene;
     let floors = if watch.stopped() {
         Vec::new()
@@ -50,6 +51,7 @@ pub(super) fn measure(subject: &Subject, request: &Request, watch: &dyn Watch) -
         about += &words::enough_depths(&subject.scene, scene, request);
     }
 
+    // Time all settings in turn; one that failed has no time.
     let mut runs = study.runs;
     watch.say(&format!("{}: timing {} settings", subject.name, runs.len()));
     let times = runs.iter().map(|(row, _)| row.times.clone()).collect();
@@ -141,6 +143,7 @@ impl<'a> Study<'a> {
         if self.watch.stopped() {
             return None;
         }
+        // Truth at this setting tells what ending paths early costs, whatever the formula.
         let (threads, exact) = (self.request.threads.most(), &self.truth.pixels);
         let at_setting = if *scene == self.truth.scene {
             exact.clone()
@@ -149,6 +152,7 @@ impl<'a> Study<'a> {
         };
         let transfer = scene.image.transfer;
         let truncation = Metrics::over(&at_setting, exact, transfer, |_| true).max;
+        // Pixels whose path has left truth's by this depth are counted apart.
         for (formula, flips) in &self.flips {
             let kept = |index: usize| flips[index] > scene.render.max_depth;
             let flipped = (0..flips.len()).filter(|&index| !kept(index)).count();
@@ -159,6 +163,7 @@ impl<'a> Study<'a> {
                 let error = Metrics::over(pixels, exact, transfer, kept);
                 Unflipped { error, floor: Metrics::over(pixels, &at_setting, transfer, kept) }
             });
+            // The whole error is against the full truth; its parts say what makes it.
             let row = Row {
                 sweep,
                 setting,

@@ -15,7 +15,7 @@ use crate::subject::Subject;
 pub struct Settled {
     /// The scene in that size and to that depth, without a weight cut, with robust numerics.
     pub scene: Scene,
-    /// Its `max_depth`.
+    /// The scene's `max_depth`.
     pub depth: u32,
     /// Linear RGB, row by row from the top left.
     pub pixels: Vec<[f64; 3]>,
@@ -117,9 +117,8 @@ fn picture(
     Some((rows.into_iter().flat_map(|row| row.pixels).collect(), deepest))
 }
 
-/// For each pixel the first bounce at which a formula's path is not truth's: another primitive,
-/// or a lamp that lights only one of them; `u32::MAX` where there is none. `None` if it was
-/// stopped.
+/// The first bounce, by pixel, at which a formula's path is not truth's: another primitive, or a
+/// light that lights only one of them; `u32::MAX` where there is none. `None` if it was stopped.
 pub(super) fn flips(scene: &Scene, formula: Formula, watch: &dyn Watch) -> Option<Vec<u32>> {
     let view = View::whole(scene);
     let truth = Paths::new(scene, &view, Arithmetic::DoubleDouble);

@@ -17,7 +17,7 @@ pub(super) fn left_out(own: &Scene) -> String {
     }
 }
 
-/// Which `max_depth` is enough for the scene with its own numerics and weight cut, in words.
+/// Says which `max_depth` is enough for the scene with its own numerics and weight cut.
 pub(super) fn enough_depths(own: &Scene, sized: &Scene, request: &Request) -> String {
     let Tracer::Packet(isa) = request.tracer else { return String::new() };
     let (numerics, weight) = (own.render.numerics, own.render.min_weight);

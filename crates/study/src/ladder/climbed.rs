@@ -15,9 +15,9 @@ use crate::tracer::STACK_LIMIT;
 
 /// The rungs on one scene.
 pub(super) struct Climbed {
-    /// From r0 up; the aside last.
+    /// Rows from r0 up; the aside last.
     pub(super) rows: Vec<Row>,
-    /// Whose picture the others are compared with: the first that holds the paths.
+    /// The rung whose picture the others are compared with: the first that holds the paths.
     pub(super) judge: Option<&'static str>,
     /// Reflections of the deepest path.
     pub(super) deepest: usize,
@@ -43,6 +43,7 @@ impl Climbed {
         let pool = request.threads.most();
         let (deepest, at) = pool.install(|| deepest(&compiled, &grid));
 
+        // Render every rung and compare with the first that holds the paths.
         let settings = Settings { isa: request.isa, stack_limit: STACK_LIMIT };
         let mut judge: Option<(&'static str, Film)> = None;
         let mut rows = Vec::new();
@@ -59,6 +60,7 @@ impl Climbed {
                     (rung.name == "r0").then_some(0.0)
                 }
             };
+            // Measure the native stack at the pixel with the deepest path.
             let (watched, bytes) = pool.install(|| {
                 native_stack(|watch| (rung.watch)(&compiled, &grid, at, settings, watch))
             });
@@ -70,6 +72,7 @@ impl Climbed {
                 times: Times::default(),
             });
         }
+        // Time the rungs that rendered, all in turn.
         let times = in_turn(rows.len(), request.repeat, watch, |i| {
             rows[i].rays?;
             let render = || (rows[i].rung.render)(&compiled, &grid, &mut film, settings);

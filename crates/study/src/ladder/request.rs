@@ -12,7 +12,7 @@ pub struct Request<'a> {
     pub subjects: &'a [Subject],
     /// A pool of one thread.
     pub threads: &'a Threads,
-    /// How often.
+    /// How often each rung is timed.
     pub repeat: Repeat,
     /// The engine's instruction set.
     pub isa: Isa,

@@ -5,7 +5,7 @@ use catoptric_scene::{Scene, View};
 
 use super::paths::{Arithmetic, Paths, each_pixel, parting};
 
-/// Whose paths are compared with those of double-double.
+/// Arithmetics whose paths are compared with those of double-double.
 pub const COMPARED: [Arithmetic; 4] =
     [Arithmetic::Textbook, Arithmetic::Robust, Arithmetic::RobustF64, Arithmetic::F64];
 
@@ -16,9 +16,9 @@ pub struct Agreement {
     pub paths: u64,
     /// Entry d: truth's paths that have a hit at bounce d; 0 is what the eye sees.
     pub reaching: Vec<u64>,
-    /// For each of the arithmetics asked for, entry d: paths whose sequence of primitives
-    /// differs from truth's at bounce d or before. As long as `reaching`, plus one: at its
-    /// last entry all of truth's paths have ended.
+    /// Paths that have parted, by arithmetic. Entry d: paths whose sequence of primitives differs
+    /// from truth's at bounce d or before. One entry longer than `reaching`: at the last one all
+    /// of truth's paths have ended.
     pub parted: Vec<(Arithmetic, Vec<u64>)>,
 }
 

@@ -53,7 +53,7 @@ struct Followed {
     bounces: usize,
     transported: Option<f64>,
     nudged: Option<f64>,
-    /// For each arithmetic, entry n: the error at bounce n.
+    /// Errors by arithmetic; entry n is the error at bounce n.
     errors: Vec<Vec<f64>>,
 }
 
@@ -76,6 +76,7 @@ pub fn measure_all(cases: &[Case], watch: &dyn Watch) -> Vec<Growth> {
 pub fn measure(case: &Case) -> Growth {
     let arithmetics = [case.f32(), Arithmetic::F64];
     let bundles = case.bundles();
+    // Follow each pixel in truth and in both arithmetics.
     let followed: Vec<_> = bundles
         .par_iter()
         .flat_map_iter(|bundle| {
@@ -87,6 +88,7 @@ pub fn measure(case: &Case) -> Growth {
         })
         .collect();
 
+    // Judge bounces as long as enough paths live to have a median.
     let longest = followed.iter().map(|f| f.bounces).max().unwrap_or(0);
     let living: Vec<_> =
         (0..longest).map(|n| followed.iter().filter(|f| f.bounces > n).count()).collect();
@@ -138,7 +140,7 @@ fn follow(
     }
 }
 
-/// For each hit of truth's path how far the other's is from it; infinite from where they part.
+/// How far the other path is from each hit of truth's; infinite from where they part.
 fn distances<'a>(truth: &'a [Vertex], other: &'a [Vertex]) -> impl Iterator<Item = f64> + 'a {
     let parted = parting(truth, other).unwrap_or(usize::MAX);
     truth.iter().enumerate().map(move |(n, vertex)| match other.get(n) {

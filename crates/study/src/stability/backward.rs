@@ -6,7 +6,7 @@
 //! ratio = error / max(spread, floor), to be at most 4.
 //!
 //! The floor is what the arithmetic leaves of a sum of a few terms: 3e-6 of the picture's
-//! brightness in f32, as many u in f64. Brightness is truth's largest channel, so that lamps a
+//! brightness in f32, as many u in f64. Brightness is truth's largest channel, so that lights a
 //! thousand times brighter change no ratio; the a-priori bound B of [`crate::light`] would not
 //! do, being ten times and more what a scene of mirrors shows.
 //!
@@ -51,16 +51,16 @@ use narrow::narrow;
 /// Ratio up to which a pixel passes.
 pub const ALLOWED: f64 = 4.0;
 
-/// By how many u the eye ray is nudged.
+/// Nudges of the eye ray, in u.
 const NUDGES: [f64; 3] = [1.0, 2.0, 4.0];
 
 /// Scenes with moved input.
 pub const SCENES: u64 = 64;
 
-/// By how many u their input is moved.
+/// Size of the moves of a scene's input, in u.
 pub const MOVED: f64 = 4.0;
 
-/// 3e-6 is so many u of f32.
+/// An error of 3e-6, in u of f32.
 const FLOOR: f64 = 3e-6 / U;
 
 /// Ratio from which on nothing is left to excuse: the picture is of another scene.
@@ -88,10 +88,10 @@ pub struct Judge {
 /// What truth is moved by.
 struct Moves {
     u: f64,
-    /// In the picture's unit.
+    /// Smallest spread that is allowed for, in the picture's unit.
     floor: f64,
     scenes: OnceLock<Vec<Truth>>,
-    /// For each pixel that was asked for: its spread by the eye ray and by all input.
+    /// Spreads by the eye ray and by all input, for each pixel that was asked for.
     spreads: Vec<OnceLock<[f64; 2]>>,
 }
 

@@ -13,9 +13,9 @@ use crate::formula::Formula;
 pub struct Group {
     /// What is measured, with its unit.
     pub quantity: &'static str,
-    /// Where the bound comes from.
+    /// The source of the bound.
     pub source: &'static str,
-    /// One sentence: why it is this one.
+    /// One sentence: why the bound is this one.
     pub why: &'static str,
     /// The cases.
     pub cases: &'static [Case],
@@ -24,11 +24,11 @@ pub struct Group {
 /// A case, and what it is held to. Formulas in the order of [`Formula::ALL`].
 #[derive(Debug)]
 pub struct Case {
-    /// Its name.
+    /// The case's name.
     pub name: &'static str,
-    /// For each formula the largest value that holds.
+    /// The largest value that holds, by formula.
     pub most: [f64; 3],
-    /// For each formula, if it is known to fail, why it does.
+    /// Why a formula fails, if it is known to, by formula.
     pub known: [Option<&'static str>; 3],
 }
 

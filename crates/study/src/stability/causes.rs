@@ -13,7 +13,7 @@ use crate::metrics::Metrics;
 pub enum Cause {
     /// Nothing: the same primitives, lit by the same lights. What is left is rounding.
     Rounding,
-    /// At the same hit, a light shines on one path and not on the other.
+    /// A light shines on one path and not on the other, at the same hit.
     Shadow,
     /// One path meets a primitive where the other meets nothing.
     Silhouette,
@@ -24,11 +24,11 @@ pub enum Cause {
 }
 
 impl Cause {
-    /// All of them, in the order of tables.
+    /// All causes, in the order of tables.
     pub const ALL: [Self; 5] =
         [Self::Rounding, Self::Shadow, Self::Silhouette, Self::Another, Self::Cut];
 
-    /// Its name in tables.
+    /// The cause's name in tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -66,7 +66,7 @@ impl Cause {
 pub struct Causes {
     /// The cause of every pixel's error, row by row.
     pub of_pixels: Vec<Cause>,
-    /// In the order of [`Cause::ALL`].
+    /// Shares in the order of [`Cause::ALL`].
     pub shares: Vec<Share>,
 }
 

@@ -23,7 +23,7 @@ pub(crate) struct Crop {
     times: [f64; 2],
 }
 
-/// All of them.
+/// All crops.
 pub(crate) fn all() -> Vec<Crop> {
     let tiny = Document::parse("tiny-far.toml", TINY_FAR.as_bytes(), SceneFormat::Toml);
     let tiny = tiny.expect("the scene of scenes/").draft().clone();

@@ -57,6 +57,7 @@ pub(crate) fn add(report: &mut Report, subjects: &[Subject], watch: &dyn Watch) 
             followed.notes.push(format!("{}: not followed: {error}", subject.name));
         }
     }
+    // How paths part from truth's, and what that costs.
     report.heading("Paths");
     report.text(
         "A picture is as right as its paths. Where a path meets what truth's meets, its error is \
@@ -72,6 +73,7 @@ pub(crate) fn add(report: &mut Report, subjects: &[Subject], watch: &dyn Watch) 
     }
     report.table(causes::table(&followed.causes));
     report.table(input::table(&followed.inputs));
+    // How well the condition map foretells errors.
     report.heading("What each pixel can be known to");
     report.text(
         "The condition map shows how far truth's own colour moves when its eye ray does by one \

@@ -3,7 +3,7 @@
 use catoptric_scene::Draft;
 use catoptric_scene::family::Draws;
 
-/// Where the cases have their eye or their middle, unless they say otherwise.
+/// The place of the cases' eye or middle, unless they say otherwise.
 pub(crate) const PLACE: [f64; 3] = [12.345_67, -5.678_91, 8.912_34];
 
 /// A unit vector, all directions alike.

@@ -24,7 +24,7 @@ pub enum InputError {
     /// The rounded scene is not valid.
     #[error("rounded to f32 the scene is not valid: {0}")]
     Scene(#[from] SceneError),
-    /// Its truth needs more stack.
+    /// Truth of the rounded scene needs more stack.
     #[error(transparent)]
     TooDeep(#[from] TooDeep),
 }
@@ -64,6 +64,7 @@ pub fn rounded_input(scene: &Scene) -> Result<Scene, SceneError> {
     let eye = scene.camera.position;
     let place = |p: [f64; 3]| std::array::from_fn(|i| rounded(p[i] - eye[i]));
     let mut draft: Draft = scene.clone().into_draft();
+    // The camera, with the eye at the origin.
     draft.camera.look_at = place(draft.camera.look_at);
     draft.camera.position = [0.0; 3];
     draft.camera.up = draft.camera.up.map(rounded);
@@ -71,6 +72,7 @@ pub fn rounded_input(scene: &Scene) -> Result<Scene, SceneError> {
     draft.render.background = draft.render.background.map(rounded);
     draft.render.ambient = draft.render.ambient.map(rounded);
     draft.render.min_weight = rounded(draft.render.min_weight);
+    // Places are rounded relative to the eye, as the engine does, and sizes as stated.
     for light in &mut draft.lights {
         light.position = place(light.position);
         light.intensity = light.intensity.map(rounded);
@@ -83,6 +85,7 @@ pub fn rounded_input(scene: &Scene) -> Result<Scene, SceneError> {
         plane.point = place(plane.point);
         plane.normal = plane.normal.map(rounded);
     }
+    // Materials have no place: their numbers are rounded as stated.
     for material in draft.materials.iter_mut() {
         material.color = material.color.map(rounded);
         material.diffuse = rounded(material.diffuse);

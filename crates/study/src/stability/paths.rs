@@ -14,7 +14,7 @@ pub enum Arithmetic {
     Textbook,
     /// The f32 recursion with the robust formulas.
     Robust,
-    /// The same recursion in f64, with the robust formulas.
+    /// The f64 recursion with the robust formulas.
     RobustF64,
     /// Truth's plain formulas in f64.
     F64,
@@ -32,7 +32,7 @@ impl Arithmetic {
         }
     }
 
-    /// Its name in tables and legends.
+    /// The arithmetic's name in tables and legends.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -97,10 +97,12 @@ impl Paths {
         self.nudged(x, y, [0.0; 3])
     }
 
-    /// As [`Paths::path`], the eye ray's unit direction d replaced by norm(d + nudge). The
-    /// recursions leave the nudge out: those asked for here are below their rounding.
+    /// Follows a path as [`Paths::path`] does, the eye ray's unit direction d replaced by
+    /// norm(d + nudge). The recursions leave the nudge out: nudges asked for here are below their
+    /// rounding.
     #[must_use]
     pub fn nudged(&self, x: u32, y: u32, nudge: [f64; 3]) -> Vec<Vertex> {
+        // Vertices are told in the world's axes: a double, and what it leaves of a double-double.
         let vertex = |stated: u32, point: [f64; 3], lit, followed| {
             let from_origin = self.axes.world_point(point.map(DoubleDouble::from));
             Vertex {
@@ -138,7 +140,7 @@ impl Paths {
     }
 }
 
-/// Where a pixel's first sub-sample is on the image plane.
+/// The place of a pixel's first sub-sample on the image plane.
 fn first_sample<S: Scalar>(grid: &Grid<S>, x: u32, y: u32) -> [S; 2] {
     let index = |pixel: u32| (pixel * grid.samples) as usize;
     [grid.columns[index(x)], grid.rows[index(y)]]

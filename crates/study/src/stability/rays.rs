@@ -14,9 +14,9 @@ pub(crate) enum Rays {
     F64(Compiled<f64>),
 }
 
-/// Where a ray starts, where it goes, and the primitive that it leaves. For a formula in f32
-/// the numbers are rounded to f32. The formulas take the direction for a unit vector: it is one
-/// up to its rounding.
+/// A ray's start and direction, and the primitive that it leaves. For a formula in f32 the numbers
+/// are rounded to f32. The formulas take the direction for a unit vector: it is one up to its
+/// rounding.
 #[derive(Clone, Copy)]
 pub(crate) struct Start {
     pub(crate) origin: [f64; 3],
@@ -27,20 +27,21 @@ pub(crate) struct Start {
 /// What a ray meets.
 pub(crate) struct Met {
     pub(crate) primitive: usize,
-    /// How far.
+    /// How far the ray goes.
     pub(crate) distance: f64,
-    /// Where, relative to the eye.
+    /// The point that is met, relative to the eye.
     pub(crate) point: [f64; 3],
-    /// Where the next ray starts, and what it leaves.
+    /// The start of the next ray, and what it leaves.
     pub(crate) start: [f64; 3],
     pub(crate) left: Option<usize>,
-    /// For each lamp, whether it lights that point.
+    /// Whether each light lights that point.
     pub(crate) lit: Vec<bool>,
 }
 
 impl Rays {
     pub(crate) fn new(formula: Formula, draft: &Draft) -> Self {
-        // Single rays go their own way: a camera with the world's axes leaves their numbers as they are.
+        // Single rays go their own way: a camera with the world's axes leaves their numbers as they
+        // are.
         let mut draft = draft.clone();
         let [x, y, z] = draft.camera.position;
         (draft.camera.look_at, draft.camera.up) = ([x, y, z.next_down() - 1.0], [0.0, 1.0, 0.0]);
@@ -61,6 +62,7 @@ impl Rays {
         let Start { origin, direction, left } = start;
         match self {
             Self::F32(scene) => {
+                // The start is rounded to f32 first, as every number of that formula is.
                 let (origin, direction) = (narrow(origin), narrow(direction));
                 let steps = path::follow(scene, ray::Ray { origin, direction, left });
                 let met = |step: path::Step| Met {

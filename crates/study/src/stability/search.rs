@@ -9,9 +9,9 @@
 //!
 //! The criterion tells wrong pixels from pixels on an edge: nothing else is allowed for. It asks
 //! for two things, which leave out some scenes in f64. Truth's plain formula loses the square of a
-//! ball's distance over its radius, of 32 digits; where that reaches the formula's own digits there
-//! is no truth to judge by. And input can be moved by some roundings only where f64 can state it:
-//! in f64 the scene is first stated in the camera's own axes.
+//! sphere's distance over its radius, of 32 digits; where that reaches the formula's own digits
+//! there is no truth to judge by. And input can be moved by some roundings only where f64 can state
+//! it: in f64 the scene is first stated in the camera's own axes.
 
 mod generate;
 mod shrink;
@@ -27,9 +27,9 @@ use crate::formula::Formula;
 /// A scene that a formula does not render as it must.
 #[derive(Clone, Debug)]
 pub struct Fault {
-    /// Which generated scene.
+    /// Seed of the generated scene.
     pub seed: u64,
-    /// Which formula fails.
+    /// The formula that fails.
     pub formula: Formula,
     /// The scene, with nothing in it that the failure does not need.
     pub scene: Draft,
@@ -95,7 +95,7 @@ fn one(seed: u64, draft: &Draft) -> Found {
     found
 }
 
-/// Whether truth has more digits of every ball than the formula.
+/// Whether truth has more digits of every sphere than the formula.
 fn truth_tells(formula: Formula, draft: &Draft) -> bool {
     const LAST: f64 = f64::EPSILON * f64::EPSILON / 4.0;
     draft.spheres.iter().all(|sphere| {

@@ -9,16 +9,16 @@ use super::finding::{Effort, Finding};
 pub enum Verdict {
     /// Within the bound.
     Holds,
-    /// Beyond it, and that is known: why.
+    /// Beyond the bound, for a known reason, which it says.
     FailsAsKnown(&'static str),
-    /// Beyond it.
+    /// Beyond the bound.
     Fails,
-    /// Within it, though it is listed as a known failure: the table is out of date.
+    /// Within the bound, though it is listed as a known failure: the table is out of date.
     HoldsNow,
 }
 
 impl Verdict {
-    /// As reports write it.
+    /// The verdict as reports write it.
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {
@@ -38,7 +38,7 @@ impl Verdict {
 
 /// Some cases that are measured together.
 pub struct Experiment {
-    /// Its name, for people who wait.
+    /// The experiment's name, for people who wait.
     pub name: &'static str,
     /// Measures all its cases with every formula.
     pub run: fn(Effort) -> Vec<Finding>,

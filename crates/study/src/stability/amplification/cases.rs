@@ -1,4 +1,4 @@
-//! Where growth is measured.
+//! Cases in which growth is measured.
 
 use catoptric_scene::family::Room;
 use catoptric_scene::{Crop, Scene, View};
@@ -10,7 +10,7 @@ use crate::stability::paths::Arithmetic;
 
 /// Paths through a scene, or through scenes that differ in their eye alone.
 pub struct Case {
-    /// Its name.
+    /// The case's name.
     pub name: String,
     /// Growth per bounce by a closed form, where there is one.
     pub lambda: Option<f64>,
@@ -64,7 +64,7 @@ impl Case {
         Self { name, lambda, unit: RADIUS, rays: Rays::Aimed { orbit: Box::new(orbit), bounces } }
     }
 
-    /// A closed mirror room of radius about 10 with three balls, 400 bounces, 16 x 12 rays.
+    /// A closed mirror room of radius about 10 with three spheres, 400 bounces, 16 x 12 rays.
     #[must_use]
     pub fn room() -> Self {
         let room = Room { radius: 10.37, balls: 3, seed: 4, ..Room::default() };

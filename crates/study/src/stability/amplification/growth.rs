@@ -8,17 +8,17 @@ pub const LOST: f64 = 1e-3;
 /// What one case showed.
 #[derive(Clone, Debug)]
 pub struct Growth {
-    /// Its name.
+    /// The case's name.
     pub name: String,
     /// Growth per bounce by a closed form, where there is one.
     pub closed: Option<f64>,
     /// Growth per bounce along truth's paths to first order: the median over the paths.
     pub transported: Option<f64>,
-    /// The same between truth's paths and nudged ones.
+    /// Growth per bounce between truth's paths and nudged ones: the median over the paths.
     pub nudged: Option<f64>,
     /// Entry n: truth's paths that have a hit at bounce n.
     pub living: Vec<usize>,
-    /// For each arithmetic, entry n: the median error at bounce n, in units. As long as
+    /// Median errors by arithmetic, in units; entry n is at bounce n. Ends where fewer than
     /// [`super::LEAST_PATHS`] live.
     pub errors: Vec<(Arithmetic, Vec<f64>)>,
 }
@@ -31,8 +31,9 @@ impl Growth {
         medians.iter().position(|median| *median > LOST)
     }
 
-    /// Where theory loses it: 2^-p Lambda^n = [`LOST`] at n = (p ln 2 + ln LOST)/ln Lambda,
-    /// with the closed form, or else the growth to first order. `None` where errors do not grow.
+    /// The bounce at which theory loses the path: 2^-p Lambda^n = [`LOST`] at
+    /// n = (p ln 2 + ln LOST)/ln Lambda, with the closed form, or else the growth to first order.
+    /// `None` where errors do not grow.
     #[must_use]
     pub fn foretold(&self, arithmetic: Arithmetic) -> Option<f64> {
         let lambda = self.lambda().filter(|lambda| *lambda > 1.0)?;

@@ -25,7 +25,7 @@ use super::tangent::{periodic_lambda, spreads};
 pub struct Orbit {
     /// Mirrors of factor 1, radius [`RADIUS`].
     pub centers: Vec<DVec3>,
-    /// Where it bounces: on the sphere of the same index.
+    /// Points at which it bounces: each on the sphere of the same index.
     pub bounces: Vec<DVec3>,
     /// A unit vector across the orbit's first flight, which is from its last bounce to its
     /// first; in the triangle's plane. Eyes stand aside of the flight in it.
@@ -48,7 +48,7 @@ pub struct Aimed {
 /// Radius of the orbits' spheres: no neat number, like their places.
 pub const RADIUS: f64 = 1.37;
 
-/// Where the orbits' middles are.
+/// The middle of every orbit.
 const MIDDLE: DVec3 = DVec3::new(0.713, -1.291, 2.553);
 
 /// Three unit vectors at right angles, in no neat direction.
@@ -58,7 +58,7 @@ fn axes() -> [DVec3; 3] {
     [x, y, x.cross(y)]
 }
 
-/// Where the first of 3 x 3 pixels is, ahead, to the right and up, at a field of view of 90 degrees.
+/// The first of 3 x 3 pixels: ahead, to the right and up, at a field of view of 90 degrees.
 const FIRST_PIXEL: DVec3 = DVec3::new(1.0, -2.0 / 3.0, 2.0 / 3.0);
 
 impl Orbit {
@@ -165,6 +165,7 @@ impl Orbit {
         let d = Aimed { scene: scene.clone(), nudge }.direction();
         let across: [DVec3; 2] = d.any_orthonormal_pair().into();
         let mut hit = 0;
+        // Aim at a hit a little further on each time: a nudge solved for one is near the next.
         while hit < bounces {
             hit = bounces.min(hit + 1 + hit / 4);
             let mut nudge = best;
@@ -176,6 +177,7 @@ impl Orbit {
                 if solved {
                     break;
                 }
+                // A Newton step: least squares in the two directions across the ray.
                 let [a, b] = spreads(&scene, &path[..=hit], across)[hit];
                 let (aa, bb, ab) = (a.dot(a), b.dot(b), a.dot(b));
                 let determinant = aa * bb - ab * ab;
@@ -186,12 +188,13 @@ impl Orbit {
             if !solved {
                 break;
             }
+            // Only a nudge that was solved is kept.
             best = nudge;
         }
         Aimed { scene, nudge: best.to_array() }
     }
 
-    /// From the orbit's point to a path's hit, if the path followed the orbit so far.
+    /// The way from the orbit's point to a path's hit, if the path followed the orbit so far.
     fn miss(&self, path: &[Vertex], hit: usize) -> Option<DVec3> {
         let period = self.bounces.len();
         let followed =

@@ -33,7 +33,7 @@ pub(super) fn scene(scene: &Scene, seed: u64, size: f64) -> Option<Scene> {
     Scene::new(draft).ok()
 }
 
-/// Where things are moved as seen from, and by how much.
+/// The eye that things are moved as seen from, and by how much.
 struct Eye {
     position: [f64; 3],
     forward: [f64; 3],

@@ -48,7 +48,7 @@ fn measured(findings: &mut Findings, kind: &Kind) {
     }
 }
 
-/// A ball on a large ground, and a black moon far behind the eye.
+/// A sphere on a large ground, and a black moon far behind the eye.
 fn unseen_balls() -> Kind {
     const GROUNDS: [f64; 4] = [6_371_000.0, 217.0, 44.0, 2.0];
     let scenes = GROUNDS.map(|radius| {
@@ -77,7 +77,7 @@ fn unseen_balls() -> Kind {
     }
 }
 
-/// The workshop's scene under a dome, before a far plane, and with a ball far away.
+/// The workshop's scene under a dome, before a far plane, and with a sphere far away.
 fn far_things() -> Kind {
     let material = Material::matt([0.3, 0.5, 0.9]);
     let [mut dome, mut wall, mut planet] = [0; 3].map(|_| workshop(160, 120, 5, 0.0));
@@ -109,8 +109,8 @@ fn ways() -> [[f64; 3]; 4] {
     [[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, half, half], unit(PLACE)]
 }
 
-/// A ball at the origin that fills most of the picture; the eye is so many radii away. Its lamp
-/// stands about the ball or about the eye.
+/// A sphere at the origin that fills most of the picture; the eye is so many radii away. Its light
+/// stands about the sphere or about the eye.
 fn far_ball(way: [f64; 3], radius: f64, distance: f64, lamp_at_eye: bool) -> Draft {
     let mut draft = Draft::default();
     draft.camera.position = way.map(|x| x * distance);
@@ -121,7 +121,7 @@ fn far_ball(way: [f64; 3], radius: f64, distance: f64, lamp_at_eye: bool) -> Dra
     let lamp = if lamp_at_eye {
         along(draft.camera.position, [3.0, 4.0, 5.0], 1e-7 * distance)
     } else {
-        // Far enough that rounding the ball's distance does not move its light.
+        // Far enough that rounding the sphere's distance does not move its light.
         [3.0, 4.0, 5.0].map(|x| x * distance)
     };
     draft.lights.push(Light { position: lamp, intensity: [1.0; 3] });
@@ -153,7 +153,7 @@ fn small_balls() -> Kind {
             scenes.extend(ways().map(|way| far_ball(way, radius, distance, lamp_at_eye)));
         }
     }
-    // Far from the origin, as far as f64 can state the ball.
+    // Far from the origin, as far as f64 can state the sphere.
     let mut elsewhere = far_ball(ways()[3], 0.1, 1e6, true);
     points(&mut elsewhere, |x| along(x, [1.0, -2.0, 0.5], 1e6));
     scenes.push(elsewhere);

@@ -1,4 +1,4 @@
-//! Where surfaces all but touch: pairs with small gaps, shadows at a contact, and the surface
+//! Surfaces that all but touch: pairs with small gaps, shadows at a contact, and the surface
 //! that a ray has just left.
 
 use catoptric_scene::family::Draws;
@@ -20,7 +20,7 @@ pub(crate) fn run(effort: Effort) -> Vec<Finding> {
     findings.done()
 }
 
-/// Two balls a gap apart, their contact seen from aside: rays that leave the first next to the
+/// Two spheres a gap apart, their contact seen from aside: rays that leave the first next to the
 /// contact must meet the second, where it is.
 fn gaps(effort: Effort, findings: &mut Findings) {
     const CASE: &str = "pairs, second hit";
@@ -35,6 +35,7 @@ fn gaps(effort: Effort, findings: &mut Findings) {
         let mut wrong = [0_u64; 4];
         let mut asked = 0_u64;
         for (of_gap, gap) in GAPS.into_iter().enumerate() {
+            // Two spheres on an axis, seen from the side of the contact.
             let mut draft = Draft::default();
             let draws = &mut Draws::new(22);
             draft.camera.position = PLACE;
@@ -48,6 +49,7 @@ fn gaps(effort: Effort, findings: &mut Findings) {
             draft.spheres = [(first, RADII[0]), (second, RADII[1])]
                 .map(|(center, radius)| Sphere { center, radius, material })
                 .to_vec();
+            // Count wrong answers among the rays that ask a sound question.
             let rays = Rays::new(formula, &draft);
             for _ in 0..effort.rays {
                 if let Some(is_right) = second_hit(formula, draws, &draft, &rays, axis) {
@@ -70,7 +72,7 @@ fn most_asked(asked: u64, shot: u64, wrong: u64) -> f64 {
     if 2 * asked >= shot { wrong as f64 } else { f64::INFINITY }
 }
 
-/// An eye ray to the first ball next to the contact, and from there a ray to about the second;
+/// An eye ray to the first sphere next to the contact, and from there a ray to about the second;
 /// whether that one finds what it must. `None` where the question is one of rounding.
 fn second_hit(
     formula: Formula,
@@ -81,7 +83,7 @@ fn second_hit(
 ) -> Option<bool> {
     let [first, second] = [draft.spheres[0], draft.spheres[1]];
     let relative = |center: [f64; 3]| between(center, PLACE);
-    // A point of the first ball that the eye sees.
+    // A point of the first sphere that the eye sees.
     let angle = draws.log_between(1e-3, 0.3);
     let to_eye = unit(std::array::from_fn(|i| PLACE[i] - first.center[i]));
     let aside = unit(along(to_eye, axis, -dot(to_eye, axis)));
@@ -93,12 +95,12 @@ fn second_hit(
     if primitive != 0 {
         return None;
     }
-    // The point found, put on the ball exactly.
+    // The point found, put on the sphere exactly.
     let found = vector(point);
     let out = exact::minus(found, relative(first.center));
     let start =
         exact::along(relative(first.center), out, DoubleDouble::from(first.radius) / length(out));
-    // Through the second ball, or past it.
+    // Through the second sphere, or past it.
     let way = direction(draws);
     let reach = second.radius * draws.between(0.0, 1.5);
     let target = along(second.center, way, reach);
@@ -122,7 +124,7 @@ fn second_hit(
     })
 }
 
-/// Balls that stand on a ground of radius 1e4: which pixels are lit.
+/// Spheres that stand on a ground of radius 1e4: which pixels are lit.
 fn shadows(findings: &mut Findings) {
     const GROUND: f64 = 10_003.7;
     let tested = "balls of radius 0.31, 0.83 and 1.67 tangent to a ground of radius 10003.7, 320x240 pixels, one lamp, ambient 0";
@@ -132,6 +134,7 @@ fn shadows(findings: &mut Findings) {
     draft.camera.fov = 43.0;
     draft.render.ambient = [0.0; 3];
     draft.lights.push(Light { position: [5.3, 9.1, 4.7], intensity: [1.0; 3] });
+    // Spheres on a ground, all touching it, under one light.
     let ground = [0.0, -GROUND, 0.0];
     draft.spheres.push(Sphere {
         center: ground,
@@ -144,6 +147,7 @@ fn shadows(findings: &mut Findings) {
         draft.spheres.push(Sphere { center, radius, material: draft.materials.add(glossy(0.0)) });
     }
     let draft = sized(placed(&draft), 320, 240, 0);
+    // There is no ambient light, so a pixel in shadow is black.
     let scene = Formula::RobustF32.scene(&draft);
     let truth = Truth::new(&scene, Precision::DoubleDouble);
     let truth = truth.render(&View::whole(&scene)).expect("depth 0").pixels;
@@ -158,8 +162,8 @@ fn shadows(findings: &mut Findings) {
     }
 }
 
-/// Rays that leave a sphere outwards meet it again; nothing else is there. And lamps that a
-/// point of it faces are hidden by it.
+/// Faults at a sphere that is alone in its scene: rays that leave it outwards and meet it again,
+/// and lights that it hides from a point of it that faces them.
 fn own_sphere(effort: Effort, findings: &mut Findings) {
     const CASE: &str = "own sphere met again";
     let rays_each = effort.rays / 10;
@@ -184,7 +188,7 @@ fn own_sphere(effort: Effort, findings: &mut Findings) {
     }
 }
 
-/// A sphere in a generic direction, `height` radii below the eye, three lamps about it.
+/// A sphere in a generic direction, `height` radii below the eye, three lights about it.
 fn lone_sphere(radius: f64, height: f64) -> Draft {
     let draws = &mut Draws::new(31);
     let down = direction(draws);

@@ -18,7 +18,7 @@ pub(crate) fn run(effort: Effort) -> Vec<Finding> {
     findings.done()
 }
 
-/// A ball that far from the eye, which is at [`PLACE`].
+/// A sphere that far from the eye, which is at [`PLACE`].
 fn ball(radius: f64, distance: f64, seed: u64) -> Draft {
     let draws = &mut Draws::new(seed);
     let way = direction(draws);
@@ -32,7 +32,7 @@ fn ball(radius: f64, distance: f64, seed: u64) -> Draft {
     draft
 }
 
-/// A ray in the formula's arithmetic that passes the ball's centre at about `miss`, and how it
+/// A ray in the formula's arithmetic that passes the sphere's centre at about `miss`, and how it
 /// meets exactly. From the eye, or from somewhere within `spread` of it.
 fn aimed(
     formula: Formula,
@@ -83,6 +83,7 @@ fn silhouettes(
                     draws.between(0.0, 3.0 * radius)
                 };
                 let spread = if index % 4 < 2 { 0.0 } else { 0.1 * distance };
+                // A wrong decision is measured by how far the exact ray passes from the rim.
                 let (origin, d, meeting) = aimed(formula, draws, &draft, [miss, spread]);
                 let hit = rays.first(origin, d).is_some();
                 if hit != meeting.distance.is_some() {
@@ -101,7 +102,7 @@ fn silhouettes(
     }
 }
 
-/// Rays that pass a ball inside and outside its rim by 1e-2, 1e-4 and 1e-6 of its radius.
+/// Rays that pass a sphere inside and outside its rim by 1e-2, 1e-4 and 1e-6 of its radius.
 fn grazing(effort: Effort, findings: &mut Findings) {
     const RADIUS: f64 = 0.973;
     const DISTANCE: f64 = 17.31;
@@ -115,6 +116,7 @@ fn grazing(effort: Effort, findings: &mut Findings) {
         let rays = Rays::new(formula, &draft);
         let (mut rim, mut distance_error) = (0.0_f64, 0.0_f64);
         let (mut wrong, mut absolute) = ([0_u64; 3], [0.0_f64; 3]);
+        // Rays inside and outside the rim in turn, half of them from the eye.
         for (of_share, share) in SHARES.into_iter().enumerate() {
             let draws = &mut Draws::new(10);
             for index in 0..effort.rays {
@@ -122,6 +124,7 @@ fn grazing(effort: Effort, findings: &mut Findings) {
                 let spread = if index % 4 < 2 { 0.0 } else { 3.0 };
                 let (origin, d, meeting) = aimed(formula, draws, &draft, [RADIUS * side, spread]);
                 let unit = formula.u() * DISTANCE;
+                // Distances are compared where both hit; one that hits alone is a wrong decision.
                 match (rays.first(origin, d), meeting.distance) {
                     (Some(first), Some(exact)) => {
                         let error = (first.distance - exact.to_f64()).abs();
@@ -136,6 +139,7 @@ fn grazing(effort: Effort, findings: &mut Findings) {
                 }
             }
         }
+        // Two findings: decisions at the rim, and distances.
         let [a, b, c] = wrong;
         let sentence = format!("Wrong decisions at 1e-2, 1e-4, 1e-6: {a}, {b}, {c}.");
         findings.push("grazing, rim", formula, &tested, rim, sentence);

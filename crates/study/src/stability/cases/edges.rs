@@ -1,4 +1,4 @@
-//! The ends of ranges, and odd places for the eye and the lamps.
+//! The ends of ranges, and odd places for the eye and the lights.
 
 use catoptric_reference::truth::{Precision, Truth};
 use catoptric_scene::{Draft, Light, Material, Scene, Sphere, View};
@@ -19,12 +19,13 @@ pub(crate) fn run(_: Effort) -> Vec<Finding> {
         dark.lights.clear();
         let dark = truth_of(&Formula::RobustF32.scene(&dark));
         let lit = truth.iter().zip(&dark).filter(|(a, b)| a != b).count();
-        // A case of lamps in which no lamp lights anything would test nothing.
+        // A case of lights in which no light reaches anything would test nothing.
         let unlit = lit == 0 && !draft.lights.is_empty() && !draft.spheres.is_empty();
         for formula in Formula::ALL {
             let found = formula.picture(&draft).expect("paths that end soon");
             let metrics = Metrics::of(&found, &truth);
             let outside = outside(&found, brightest(&formula.scene(&draft)));
+            // In f64 an error far below a level is wrong already.
             let off = match formula {
                 Formula::RobustF64 => {
                     found.iter().zip(&truth).filter(|(a, b)| difference(a, b) > 1e-9).count() as u64
@@ -62,7 +63,7 @@ pub(crate) fn outside(picture: &[[f64; 3]], most: [f64; 3]) -> u64 {
     picture.iter().filter(|pixel| !inside(pixel)).count() as u64
 }
 
-/// A glossy ball of radius 2 before the eye, and a lamp.
+/// A glossy sphere of radius 2 before the eye, and a light.
 fn ball() -> Draft {
     let mut draft = Draft::default();
     draft.camera.look_at = [0.11, -0.07, -1.0];
@@ -79,7 +80,7 @@ fn ball() -> Draft {
     sized(draft, 48, 36, 8)
 }
 
-/// The ball around the eye.
+/// The sphere around the eye.
 fn around(offset: [f64; 3]) -> Draft {
     let mut draft = ball();
     draft.spheres.truncate(1);
@@ -94,7 +95,7 @@ fn scenes() -> Vec<(&'static str, &'static str, Draft)> {
         change(&mut draft);
         placed(&draft)
     };
-    // Neat numbers: the eye or the lamp is on the sphere exactly, 3^2 + 4^2 = 5^2.
+    // Neat numbers: the eye or the light is on the sphere exactly, 3^2 + 4^2 = 5^2.
     let on_surface = |toward: f64| {
         let mut draft = ball();
         let center = [0.0, -4.0, -3.0];
@@ -115,20 +116,22 @@ fn scenes() -> Vec<(&'static str, &'static str, Draft)> {
         draft.camera.up = [1.0, 0.0, 0.0];
         draft
     };
+    // The light exactly on a sphere.
     let mut lamp_on = ball();
     (lamp_on.spheres[0].center, lamp_on.spheres[0].radius) = ([0.0, -4.0, -8.0], 5.0);
     lamp_on.lights[0].position = [0.0, 0.0, -5.0];
     lamp_on.spheres[1].center = [-1.13, 0.43, -4.31];
-    // The lamp at the point that the middle pixel sees.
+    // The light at the point that the middle pixel sees.
     let mut lamp_at_hit = ball();
     lamp_at_hit.spheres[0].center = [0.0, 0.0, -5.0];
     lamp_at_hit.lights[0].position = [0.0, 0.0, -3.0];
-    // Nearer than that point, so that its lamp lights something: the other ball.
+    // Nearer than that point, so that its light reaches something: the other sphere.
     lamp_at_hit.spheres[1].center = [-0.63, -0.47, -2.21];
     lamp_at_hit.spheres[1].radius = 0.31;
     lamp_at_hit.lights.push(ball().lights[0]);
     lamp_at_hit.camera.look_at = [0.0, 0.0, -1.0];
     let lamp_at_hit = sized(lamp_at_hit, 47, 35, 8);
+    // First where the eye is, then where lights are, then the limits of depth and of content.
     vec![
         (
             "eye at the centre",

@@ -18,7 +18,7 @@ struct Outcome {
     refused: u64,
     refused_without_key: u64,
     panics: u64,
-    /// By formula, in the order of [`Formula::ALL`].
+    /// Outcomes by formula, in the order of [`Formula::ALL`].
     of: [Pictures; 3],
 }
 
@@ -29,9 +29,9 @@ struct Pictures {
     /// The first scene that is not finite.
     first: Option<u64>,
     engines_differ: u64,
-    /// Not in [0, B].
+    /// Pictures with a value that is not in [0, B].
     outside: u64,
-    /// With something else than background in it.
+    /// Pictures that show something else than background.
     hits: u64,
 }
 

@@ -82,6 +82,7 @@ fn twice(findings: &mut Findings) {
     let room = Room::default().draft().expect("the defaults are in range");
     let scenes = [workshop(80, 60, 20, 0.3), room].map(|once| {
         let once = sized(placed(&once), 80, 60, 20);
+        // State every sphere again, in another colour and in reverse order.
         let mut doubled = once.clone();
         doubled.spheres.extend(once.spheres.iter().rev().copied());
         let magenta = doubled.materials.add(Material::matt([9.0, 0.0, 9.0]));
@@ -95,6 +96,7 @@ fn twice(findings: &mut Findings) {
         let truth = Truth::new(&scene, Precision::DoubleDouble);
         truth.render(&View::whole(&scene)).expect("depth 20").pixels
     };
+    // Truth must not tell the two apart either, or the case would be wrong.
     let of_truth = scenes.each_ref().map(|[once, again]| differing(&truth(once), &truth(again)));
     for formula in Formula::ALL {
         let [workshop, room] = scenes

@@ -84,12 +84,14 @@ fn ground(effort: Effort, findings: &mut Findings, case: &'static str, heights: 
         let (mut worst, mut absolute, mut relative, mut lost) = (0.0_f64, 0.0_f64, 0.0_f64, 0_u64);
         for _ in 0..effort.rays * 5 {
             let ray = ray_down(formula, draws, &draft, heights);
+            // A ray whose exact answer is a hit must hit.
             let Some((origin, d, meeting)) = ray else { continue };
             let exact = meeting.distance.expect("only rays that meet").to_f64();
             let Some(first) = rays.first(origin, d) else {
                 lost += 1;
                 continue;
             };
+            // Scale the error by the ray's coordinates, whose rounding is unavoidable.
             let error = (first.distance - exact).abs();
             let coordinates = norm(origin) + exact;
             worst = larger(worst, error * meeting.cosine / (formula.u() * coordinates));

@@ -1,4 +1,4 @@
-//! Paths of many reflections in closed rooms; between balls and along a corridor, see `stiff.rs`.
+//! Paths of many reflections in closed rooms; between spheres and along a corridor, see `stiff.rs`.
 
 use catoptric_scene::family::Room;
 use catoptric_scene::{Draft, View};
@@ -19,7 +19,7 @@ pub(crate) fn run(_: Effort) -> Vec<Finding> {
     findings.done()
 }
 
-/// From inside a closed mirror no ray escapes, however deep.
+/// Rays that escape from inside a closed mirror: none may, however deep.
 fn leaks(findings: &mut Findings) {
     let of_depth = [
         ("leaks, depth 1000", 1_000, [40, 20]),

@@ -39,7 +39,7 @@ pub(crate) fn glossy(k: f64) -> Material {
     }
 }
 
-/// Seen from between balls, along an orbit that rays follow as long as f64 can aim them, with
+/// Seen from between spheres, along an orbit that rays follow as long as f64 can aim them, with
 /// a field of view of `degrees`; under a bright sky.
 pub(crate) fn between_balls(orbit: &Orbit, degrees: f64, k: f64, max_depth: u32) -> Draft {
     let aimed = orbit.aimed(3, max_depth as usize);
@@ -55,7 +55,7 @@ pub(crate) fn between_balls(orbit: &Orbit, degrees: f64, k: f64, max_depth: u32)
     sized(draft, 40, 30, max_depth)
 }
 
-/// An empty mirror sphere of radius 10 around the eye, without lamps: each reflection adds
+/// An empty mirror sphere of radius 10 around the eye, without lights: each reflection adds
 /// the ambient light, 0.1, and a ray that leaks adds the background, 1e6.
 pub(crate) fn empty_room(width: u32, height: u32, max_depth: u32, k: f64) -> Draft {
     let mut draft = Draft::default();

@@ -14,9 +14,9 @@ use crate::formula::Formula;
 
 /// A scene whose true answer is ill-conditioned.
 struct Stiff {
-    /// Its cases by the eye ray and by all input.
+    /// Names of the cases judged by the eye ray and by all input.
     backward: [&'static str; 2],
-    /// That truth moves, where it is the mirrors that move it.
+    /// Name of the case that truth moves, where it is the mirrors that move it.
     stiff: Option<&'static str>,
     /// Seen along an orbit, so that the median pixel is amplified; else some are.
     orbit: bool,
@@ -31,8 +31,9 @@ impl Stiff {
     }
 }
 
-/// All of them.
+/// All scenes whose true answer is ill-conditioned.
 fn all() -> Vec<Stiff> {
+    // Pairs of spheres, the further apart the faster an error grows.
     let mut all: Vec<Stiff> = [
         (["pair 2.01, by eye", "pair 2.01, by input", "pair 2.01, stiff"], 2.01, 120),
         (["pair 2.5, by eye", "pair 2.5, by input", "pair 2.5, stiff"], 2.5, 40),
@@ -50,6 +51,7 @@ fn all() -> Vec<Stiff> {
         )
     })
     .collect();
+    // Three and four spheres, and a closed room.
     all.push(Stiff::new(
         [
             "three-sphere scatterer, by eye",
@@ -92,7 +94,7 @@ fn all() -> Vec<Stiff> {
     all
 }
 
-/// The field of view between balls, degrees: rays 3e-6 apart stay for as many bounces as errors
+/// The field of view between spheres, degrees: rays 3e-6 apart stay for as many bounces as errors
 /// need to grow ten thousandfold.
 const FIELD: f64 = 0.01;
 
@@ -104,6 +106,7 @@ fn seen(depth: u32) -> String {
 
 pub(super) fn run(findings: &mut Findings) {
     for Stiff { backward: [eye, input], stiff, orbit, tested, draft } in all() {
+        // Judge the picture by how far truth itself moves under rounding.
         let judge = Judge::new(&Formula::RobustF32.scene(&draft)).expect("depth 200");
         for formula in Formula::ALL {
             let picture = formula.picture(&draft).expect("depth 200");
@@ -118,6 +121,7 @@ pub(super) fn run(findings: &mut Findings) {
             findings.push(eye, formula, &tested, found.by_eye, sentence.clone());
             findings.push(input, formula, &tested, found.by_input, sentence);
         }
+        // Truth must move, or the scene would not be as hard as it is meant to be.
         if let Some(case) = stiff {
             let spreads = judge.spreads(Formula::RobustF32).expect("depth 200");
             let spread = if orbit { spreads.median } else { spreads.p99 };
@@ -128,6 +132,7 @@ pub(super) fn run(findings: &mut Findings) {
             findings.push(case, None, &tested, 1.0 / spread, sentence);
         }
     }
+    // The judge must reject the picture of a scene that is a little different.
     for (case, tested, draft, change) in others() {
         let judge = Judge::new(&Formula::RobustF32.scene(&draft)).expect("depth 200");
         for formula in Formula::ALL {
@@ -147,6 +152,7 @@ type Change = fn(&mut Draft, f64);
 /// Scenes, and another scene that each must be told from.
 fn others() -> [(&'static str, &'static str, Draft, Change); 4] {
     let of = |case| all().into_iter().find(|s| s.backward[0] == case).expect("that case").draft;
+    // Changes of one thing each: a light further away, a sphere aside, a sphere larger.
     let lamp: Change = |draft, size| {
         let eye = draft.camera.position;
         let at = &mut draft.lights[0].position;

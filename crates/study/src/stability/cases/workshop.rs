@@ -10,6 +10,7 @@ pub(crate) fn run(_: Effort) -> Vec<Finding> {
     let mut findings = Findings::new();
     let as_stated = |ground| scenes::workshop(640, 480, 8, ground);
     let turned = placed(&scenes::workshop(320, 240, 8, 0.3));
+    // The scene as stated, with a mirror ground, and turned off neat numbers.
     let scenes = [
         (
             ["workshop, levels", "workshop, backward"],
@@ -29,6 +30,7 @@ pub(crate) fn run(_: Effort) -> Vec<Finding> {
     ];
     for ([levels, backward], draft, parameters) in scenes {
         let tested = format!("the workshop's scene: {parameters}");
+        // Two findings a scene: levels, and backward error.
         let judge = Judge::new(&Formula::RobustF32.scene(&draft)).expect("depth 8");
         for formula in Formula::ALL {
             let picture = formula.picture(&draft).expect("depth 8");

@@ -3,7 +3,7 @@
 //!
 //! A subject, a sphere or a plane, and the eye at any distance from it: from far, from close to
 //! its surface, from inside. Up to four more things stand about it, about the eye, at what the eye
-//! sees of the subject, behind the eye, or around everything. Lamps stand near and far. The whole
+//! sees of the subject, behind the eye, or around everything. Lights stand near and far. The whole
 //! lies along the axes, or turned by neat numbers, or any way; with the eye at the origin, or the
 //! subject, or neither.
 
@@ -33,6 +33,7 @@ pub(super) fn draft(seed: u64) -> Draft {
     draft.render.max_depth = one(draws, [0, 1, 2, 3, 6]);
     draft.render.background = [0.2, 0.25, 0.4];
 
+    // Sizes and gaps of any magnitude, ordinary ones more often.
     let size = match draws.below(3) {
         0 => 1.0,
         1 => draws.log_between(1e-3, 1e3),
@@ -59,6 +60,7 @@ pub(super) fn draft(seed: u64) -> Draft {
             along([0.0; 3], direction(draws), if off > FAR { FAR } else { off })
         }
     };
+    // The subject: a plane or a sphere, nearest to the eye at `nearest`.
     let nearest = along(eye, toward, gap);
     if flat {
         let aside = across(draws, toward);
@@ -73,6 +75,7 @@ pub(super) fn draft(seed: u64) -> Draft {
             material: draft.materials.add(material(draws)),
         });
     }
+    // Other things about it, near or far, and one or two lights.
     camera(draws, &mut draft, eye, toward, gap, if flat { 1e3 * gap } else { size });
     for _ in 0..draws.below(5) {
         another(draws, &mut draft, nearest, size, gap);

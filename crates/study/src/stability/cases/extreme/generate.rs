@@ -59,6 +59,7 @@ pub(super) fn draft(seed: u64) -> Draft {
         draft.lights.push(Light { position, intensity: colour(draws) });
     }
     draft.camera = camera(draws, &draft.spheres, position, size);
+    // Some scenes get a number that is hardly allowed, or not at all.
     if draws.below(12) == 0 {
         spoil(draws, &mut draft);
     }
@@ -100,7 +101,7 @@ fn radius(draws: &mut Draws, size: f64) -> f64 {
     }
 }
 
-/// Around the eye, under it, before it, on another ball, or anywhere.
+/// Around the eye, under it, before it, on another sphere, or anywhere.
 fn center(draws: &mut Draws, others: &[Sphere], eye: [f64; 3], size: f64, radius: f64) -> [f64; 3] {
     let way = direction(draws);
     match draws.below(8) {
@@ -118,7 +119,7 @@ fn center(draws: &mut Draws, others: &[Sphere], eye: [f64; 3], size: f64, radius
     }
 }
 
-/// Inside a ball, at its surface, just behind it, at the eye, or anywhere.
+/// Inside a sphere, at its surface, just behind it, at the eye, or anywhere.
 fn lamp(draws: &mut Draws, balls: &[Sphere], eye: [f64; 3], size: f64) -> [f64; 3] {
     let Some(ball) = balls.first() else { return point(draws, size) };
     let toward: [f64; 3] = std::array::from_fn(|i| eye[i] - ball.center[i]);

@@ -31,6 +31,7 @@ pub(super) fn run(findings: &mut Findings) {
             let (mut sum, mut each) = (0, Vec::new());
             for quaternion in QUATERNIONS {
                 let (rows, size) = whole_turn(quaternion);
+                // The matrix is whole, so it scales too: compare with the scene grown alike.
                 let of_scenes = scenes.iter().map(|draft| {
                     let grown =
                         both(formula, &mapped(draft, size, [0.0; 3], |v| v.map(|x| size * x)));

@@ -1,4 +1,4 @@
-//! Things that no ray meets: inside of the workshop's balls, and outside of a closed room.
+//! Things that no ray meets: inside of the workshop's spheres, and outside of a closed room.
 
 use catoptric_scene::family::Room;
 use catoptric_scene::{Draft, Material, Plane, Sphere};
@@ -16,6 +16,7 @@ pub(super) fn run(findings: &mut Findings) {
     let room = Room { balls: 3, ..Room::default() }.draft().expect("in range");
     let outside = room.spheres[0].radius;
     let room = sized(placed(&room), 80, 60, 8);
+    // Spheres within spheres: nothing sees them from outside.
     let mut workshop = placed(&workshop(80, 60, 8, 0.3));
     let magenta = Material::matt([9.0, 0.0, 9.0]);
     let material = workshop.materials.add(magenta);
@@ -33,6 +34,7 @@ pub(super) fn run(findings: &mut Findings) {
             [workshop.clone(), more]
         })
         .collect();
+    // Spheres and planes outside a closed room, of every size.
     for exponent in -3..=12 {
         let size = 10_f64.powf(f64::from(exponent));
         let way = unit(PLACE);
@@ -45,6 +47,7 @@ pub(super) fn run(findings: &mut Findings) {
         pairs.push([room.clone(), more]);
     }
     for formula in Formula::ALL {
+        // A picture must be the same to the bit with the thing and without it.
         let off =
             pairs.iter().map(|[once, more]| differing(&both(formula, once), &both(formula, more)));
         let off: Vec<usize> = off.collect();
