@@ -93,6 +93,7 @@ fn pixel(text: &str) -> Result<Pixel, &'static str> {
 /// Explains, in the form that was asked for.
 pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     interrupt::catch();
+    // Refuse wrong use and a closed stdout before the scene is read.
     if options.json || options.html.is_none() {
         Target::stdout()?;
     }
@@ -101,6 +102,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         return Err(Failure::wrong_use("--json and --html - cannot both go to stdout"));
     }
     let scene = scene::read(&options.scene)?;
+    // The recursion needs a large stack on every thread.
     let threads = machine::available_threads();
     let threads = Threads::new([threads]).map_err(|error| {
         let stack = catoptric_reference::STACK_BYTES;
@@ -110,6 +112,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         };
         machine::Wanted { threads, stack, fewer, instead: None }.refused(&error)
     })?;
+    // Without a pixel the whole scene is explained.
     match options.pixel {
         None => {
             let name = options.scene.to_string_lossy();
@@ -186,7 +189,7 @@ fn png_file(picture: &Picture) -> Vec<u8> {
     file
 }
 
-/// Where the page goes; not over the scene.
+/// The target of the page; refuses to write over the scene.
 fn page_target(path: &Path, scene: &Path) -> Result<Target, Failure> {
     let target = Target::new(path)?;
     if target.replaces(scene) {

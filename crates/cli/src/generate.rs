@@ -48,7 +48,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     Ok(Exit::Done)
 }
 
-/// Where the scene goes, and as what.
+/// The path and the format that the scene is written with.
 fn place(family: &str, common: &Common) -> Result<(PathBuf, SceneFormat), Failure> {
     let format = match (&common.output, common.format) {
         (_, Some(format)) => format,

@@ -102,6 +102,7 @@ fn program() -> ExitCode {
             };
         }
     };
+    // The exit code is what the command answers, or its failure's.
     let ended = match asked.command {
         Command::Render(options) => render::run(&options),
         Command::Compare(options) => compare::run(&options),

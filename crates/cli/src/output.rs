@@ -1,4 +1,4 @@
-//! Where bytes go.
+//! Writing of bytes to a path or to stdout.
 //!
 //! ```text
 //! place.rs     what a path leads to: an open file, a device or pipe, a regular file
@@ -205,6 +205,7 @@ pub(crate) fn commit(all: impl IntoIterator<Item = Staged>) -> Result<(), Failur
         done.push(beside);
     }
     drop(listed);
+    // After a failure the message names what is in place and what is as before.
     let Some((name, why)) = failure else { return Ok(()) };
     let also = |what: &str, names: &[String]| match names {
         [] => String::new(),

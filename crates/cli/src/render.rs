@@ -50,6 +50,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     let (stack_limit, more_stack) = need.within(options.memory_limit)?;
     let (picture, report) = targets(options, &path)?;
 
+    // Trace, with progress told on the way.
     let quantiser = Quantiser::new(scene.image.transfer);
     let tracing = Tracing {
         engine: options.engine,
@@ -66,10 +67,12 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     bar.finish_and_clear();
     let Rendered { picture: pixels, counts, plan, compile, trace } = rendered?;
 
+    // Encode. A file is written beside its name, so nothing replaces an older one yet.
     let encoding = Instant::now();
     let staged = pool.install(|| picture.stage(|to| format.write(pixels, &quantiser, to)))?;
     let (encode, total) = (encoding.elapsed(), start.elapsed());
 
+    // Account for the run: settings, times and counts of rays.
     let stats = Stats {
         schema: "catoptric-stats",
         version: 1,
@@ -93,6 +96,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         depths: stats::depths(&counts),
         plan,
     };
+    // Put picture and statistics in place together.
     let reported = report.map(|report| report.stage(|to| json::write(to, &stats)));
     commit([staged].into_iter().chain(reported.transpose()?))?;
     if !options.quiet {
@@ -101,7 +105,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
     Ok(Exit::Done)
 }
 
-/// Where the picture goes, and as what.
+/// The path and the format of the picture.
 fn picture(options: &Options) -> Result<(PathBuf, Format), Failure> {
     match (&options.output, options.format) {
         (Some(path), Some(format)) => Ok((path.clone(), format)),

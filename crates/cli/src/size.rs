@@ -41,7 +41,7 @@ impl FromStr for Size {
 }
 
 impl fmt::Display for Size {
-    /// In the largest binary unit that it reaches, rounded up to a tenth: "1.6 MiB".
+    /// Writes the size in the largest binary unit it reaches, rounded up to a tenth: "1.6 MiB".
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let units = [("GiB", 30), ("MiB", 20), ("KiB", 10)];
         let Some((name, shift)) = units.into_iter().find(|&(_, shift)| self.0 >> shift > 0) else {

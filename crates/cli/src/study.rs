@@ -35,6 +35,7 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         (Study::Depth(_), None) => 2,
         (_, threads) => threads.map_or_else(machine::available_threads, |n| n as usize),
     };
+    // Only the stability study brings scenes of its own.
     if common.scenes.is_empty() && !matches!(options.study, Study::Stability(_)) {
         let study = options.study.name();
         return Err(Failure::wrong_use(format_args!(
@@ -42,11 +43,13 @@ pub(crate) fn run(options: &Options) -> Result<Exit, Failure> {
         )));
     }
     let subjects = subjects::load(&common.scenes)?;
+    // Find out that a report can be written before anything is measured.
     let destination = Destination::new(common, options.study.name())?;
     let command = command_line(std::env::args_os());
     let made = Occasion::now(isa.name(), threads, command);
     let pools = pools([1, threads])?;
 
+    // Measure until done or interrupted; what is there by then is written.
     let watch = Signals { quiet: common.quiet };
     let report = interrupt::measuring(|| match &options.study {
         Study::Depth(options) => study_depth(options, &subjects, &pools, isa, &watch),

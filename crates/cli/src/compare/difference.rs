@@ -43,7 +43,7 @@ pub(super) struct First {
     pub(super) values: Pair,
 }
 
-/// Its values in A and in B.
+/// A pixel's or channel's values in A and in B.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Pair {
     Levels([u8; 3], [u8; 3]),
@@ -53,7 +53,7 @@ pub(super) enum Pair {
 /// Two values of one channel.
 trait Channel: Copy {
     fn differs(self, other: Self) -> bool;
-    /// As a number, for the size of a difference.
+    /// The value as a number, for the size of a difference.
     fn number(self) -> f64;
 }
 
@@ -68,7 +68,8 @@ impl Channel for u8 {
 }
 
 impl Channel for f32 {
-    /// As bits, so that -0 and 0 differ; but a NaN's payload says nothing about a picture.
+    /// Compares bits, so that -0 and 0 differ, but takes all NaNs for equal: a payload says
+    /// nothing about a picture.
     fn differs(self, other: Self) -> bool {
         self.to_bits() != other.to_bits() && !(self.is_nan() && other.is_nan())
     }
@@ -124,6 +125,8 @@ impl Difference {
         let (mut pixels, mut first) = (0, None);
         let (mut largest, mut squares, mut finite, mut not_finite) = (0.0, 0.0, 0_u64, 0);
         for (index, (&a, &b)) in a.iter().zip(b).enumerate() {
+            // Every channel counts towards the sums; what is not finite on one side has no
+            // distance.
             let mut differs = false;
             for (&a, &b) in a.iter().zip(&b) {
                 differs |= a.differs(b);
@@ -138,12 +141,14 @@ impl Difference {
                     }
                 }
             }
+            // A pixel differs if one of its channels does.
             if differs {
                 pixels += 1;
                 let (x, y) = (index % width as usize, index / width as usize);
                 first.get_or_insert(First { x: x as u32, y: y as u32, values: pair(a, b) });
             }
         }
+        // The mean is over finite channels alone.
         let rmse = if finite == 0 { 0.0 } else { (squares / finite as f64).sqrt() };
         Self {
             width,

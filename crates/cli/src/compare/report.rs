@@ -143,6 +143,7 @@ impl fmt::Display for Report {
             writeln!(f, "{a} and {b} differ ({size})")?;
             writeln!(f, "pixels that differ     {} of {all}", self.pixels)?;
         }
+        // The first pixel that differs, with its bits where the values are linear.
         if let Some(first) = &self.first {
             writeln!(f, "first, from top left   ({}, {})", first.x, first.y)?;
             for (name, values, bits) in
@@ -158,6 +159,7 @@ impl fmt::Display for Report {
                 let shown = ulps.map(|n| n.map_or("NaN".to_owned(), |n| n.to_string()));
                 writeln!(f, "  ulps apart  {}", shown.join(" "))?;
             }
+            // How far apart the pictures are over all pixels.
             writeln!(f, "largest difference     {:.6e}", self.max)?;
             writeln!(f, "RMSE                   {:.6e}", self.rmse)?;
             if self.not_finite > 0 {
@@ -170,6 +172,7 @@ impl fmt::Display for Report {
             writeln!(f, "8-bit pixels apart     {}", self.level_pixels)?;
             writeln!(f, "  by more than 1       {}", self.level_pixels_over_one)?;
         }
+        // The verdict, where a tolerance was asked for.
         if self.judged {
             let passed = if self.passed { "passed" } else { "failed" };
             let (counted, allowed) = (self.pixels_counted, self.pixels_allowed);
@@ -183,6 +186,7 @@ impl fmt::Display for Report {
                 None => writeln!(f, "pixels that differ: {counted}, allowed {allowed}: {passed}")?,
             }
         }
+        // The difference image, where one was written.
         if let Some(diff) = &self.diff {
             writeln!(
                 f,

@@ -50,7 +50,7 @@ impl Opened {
         }
     }
 
-    /// What its values are, for messages.
+    /// The kind of the picture's values, for messages.
     pub(crate) fn kind(&self) -> &'static str {
         match &self.pixels {
             Pixels::Png(_) | Pixels::Ppm(_) => "8-bit levels",

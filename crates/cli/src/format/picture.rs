@@ -29,7 +29,7 @@ impl Levels {
 }
 
 impl Picture {
-    /// As 8-bit levels; a film is converted on rayon's current threads.
+    /// Converts to 8-bit levels; a film is converted on rayon's current threads.
     pub(super) fn into_levels(self, quantiser: &Quantiser) -> Levels {
         /// Pixels in a piece of work: enough to be worth handing over.
         const PIECE: usize = 1 << 14;

@@ -13,12 +13,12 @@ impl Recipe {
         Self(format!("catoptric generate {family}"))
     }
 
-    /// With an option; the value has no blanks.
+    /// Adds an option; the value has no blanks.
     pub(super) fn with(self, option: &str, value: impl fmt::Display) -> Self {
         Self(format!("{} {option} {value}", self.0))
     }
 
-    /// With an option that may be absent.
+    /// Adds an option if it has a value.
     pub(super) fn with_any(self, option: &str, value: Option<impl fmt::Display>) -> Self {
         match value {
             Some(value) => self.with(option, value),
@@ -26,7 +26,7 @@ impl Recipe {
         }
     }
 
-    /// With a flag, if it is set.
+    /// Adds a flag if it is set.
     pub(super) fn with_flag(self, flag: &str, set: bool) -> Self {
         if set { Self(format!("{} {flag}", self.0)) } else { self }
     }

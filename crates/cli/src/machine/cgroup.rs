@@ -29,7 +29,7 @@ pub(crate) fn memory_left() -> Option<u64> {
     left_below(Path::new("/"))
 }
 
-/// The same of a system whose files lie in that folder.
+/// Memory left to the groups of a system whose files lie in `root`.
 fn left_below(root: &Path) -> Option<u64> {
     let groups = fs::read_to_string(root.join("proc/self/cgroup")).ok()?;
     let mounts = fs::read_to_string(root.join("proc/self/mountinfo")).ok()?;
@@ -59,8 +59,8 @@ fn group_of_memory(line: &str) -> Option<(&'static Files, &str)> {
     controllers.split(',').any(|controller| controller == "memory").then_some((&VERSION_1, group))
 }
 
-/// Where a line of `/proc/self/mountinfo` mounts the hierarchy of a group, and the group's
-/// folder in it, both relative; `None` if it mounts something else.
+/// The place where a line of `/proc/self/mountinfo` mounts the hierarchy of a group, and the
+/// group's folder in it, both relative; `None` if it mounts something else.
 ///
 /// A container may see no more than a part of the hierarchy, its own group at the top.
 fn mounted<'a>(line: &'a str, files: &Files, group: &'a str) -> Option<(&'a str, PathBuf)> {

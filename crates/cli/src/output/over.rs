@@ -8,9 +8,9 @@ use super::folder::folder;
 /// How a complete file comes to its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Over {
-    /// By a rename.
+    /// The new file was renamed over the old.
     Renamed,
-    /// By copying it into the file that is there, which cannot be replaced, and why.
+    /// The bytes were copied into the file that is there, which cannot be replaced, and why.
     Copied(&'static str),
 }
 

@@ -63,7 +63,7 @@ pub(super) fn check(_: u32) -> Result<(), String> {
     Ok(())
 }
 
-/// Where the system tells of open files; on Linux alone.
+/// The folder in which the system tells of open files; on Linux alone.
 #[cfg(unix)]
 const ABOUT: &str = "/proc/self/fdinfo";
 

@@ -144,6 +144,7 @@ impl Tracing<'_> {
         let mut plan = None;
         let (width, height) = (view.crop().width, view.crop().height);
         let (picture, counts) = match self.engine {
+            // The packet engine traces by a plan, straight to levels or to a film.
             Engine::Packet => {
                 let stack_limit = usize::try_from(self.stack_limit).unwrap_or(usize::MAX);
                 let settings = Settings { isa: self.isa, stack_limit };
@@ -165,6 +166,7 @@ impl Tracing<'_> {
                             .map(|counts| (Picture::Linear(film), counts))
                     }
                 };
+                // A full stack is the only way to fail: say how to need less of it.
                 traced.map_err(|full| {
                     let more = self.more_stack;
                     Failure::failed(format_args!(
@@ -172,6 +174,7 @@ impl Tracing<'_> {
                     ))
                 })?
             }
+            // The recursion always fills a film.
             Engine::Recursive => {
                 let mut film = Film::new(width, height);
                 let traced = catoptric_reference::render(&compiled, &grid, &mut film, done);

@@ -38,7 +38,7 @@ fn stated(scene: &Draft) -> u64 {
 /// measured where each has a material of its own, the most that there are.
 const BODY_BYTES: u64 = 320;
 
-/// The same of a light.
+/// Bytes that a light takes at most, as above.
 const LIGHT_BYTES: u64 = 120;
 
 /// Bytes that an engine makes of a scene, at most.

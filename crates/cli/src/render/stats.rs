@@ -33,7 +33,7 @@ pub(super) struct Stats<'a> {
     pub(super) isa: Option<&'static str>,
     pub(super) time_ms: Times,
     pub(super) rays: Rays,
-    /// By depth, 0 first, as deep as rays went.
+    /// Counts by depth, 0 first, as deep as rays went.
     pub(super) depths: Vec<Depth>,
     /// What the packet engine made of the scene; null for the recursive one. `catoptric explain`
     /// says it in words.
@@ -104,7 +104,7 @@ pub(super) struct Times {
     pub(super) trace: f64,
     /// 8-bit levels, compression and writing, but not the rename.
     pub(super) encode: f64,
-    /// From the start of the program to the end of `encode`.
+    /// Time from the start of the program to the end of `encode`.
     pub(super) total: f64,
 }
 
@@ -129,7 +129,7 @@ impl Rays {
         Self { primary: counts.primary(), reflection: counts.reflection(), shadow: counts.shadow() }
     }
 
-    /// All of them.
+    /// The number of rays of all kinds.
     pub(super) fn total(&self) -> u64 {
         self.primary + self.reflection + self.shadow
     }

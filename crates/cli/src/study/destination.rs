@@ -1,4 +1,4 @@
-//! Where a report goes: stdout, or the files of a folder.
+//! The destination of a report: stdout, or the files of a folder.
 
 mod earlier;
 
@@ -32,6 +32,7 @@ impl Destination {
     pub(super) fn new(common: &Common, study: &str) -> Result<Self, Failure> {
         let Common { output, json, quiet, .. } = common;
         let (json, quiet) = (*json, *quiet);
+        // Without a folder all goes to stdout.
         let Some(folder) = output else {
             Target::stdout()?;
             return Ok(Self { folder: None, earlier: None, json, quiet });
@@ -44,6 +45,7 @@ impl Destination {
         if json {
             Target::stdout()?;
         }
+        // Make the folder, and find out whether its files can be written.
         fs::create_dir_all(folder).map_err(|error| {
             let folder = folder.display();
             Failure::not_written(format_args!(
@@ -54,6 +56,7 @@ impl Destination {
         for path in in_the_way(folder, study) {
             Target::file(&path)?;
         }
+        // All studies write to the same page, so a folder holds one report.
         for other in Study::NAMES.into_iter().filter(|name| *name != study) {
             if Earlier::find(folder, other).is_some() {
                 let folder = folder.display();

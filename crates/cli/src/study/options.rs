@@ -144,8 +144,7 @@ fn target_error(text: &str) -> Result<f64, &'static str> {
 }
 
 impl Study {
-    /// Its name on the command line, and that of its files.
-    /// The names of all.
+    /// Names of all studies on the command line, and of their files.
     pub(super) const NAMES: [&str; 4] = ["depth", "error", "ladder", "stability"];
 
     pub(super) fn name(&self) -> &'static str {

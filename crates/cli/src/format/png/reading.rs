@@ -61,12 +61,14 @@ impl Pixels {
                 "is an animated PNG: only single pictures can be compared".to_owned(),
             ));
         }
+        // One loop reads both layouts: a picture that is not interlaced is a single pass.
         let channels = reader.output_color_type().0.samples();
         let mut row = vec![0; width as usize * channels];
         let mut levels = Levels::new(width, height);
         let whole = [([0, 0], [1, 1])];
         for &([x0, y0], [dx, dy]) in if interlaced { PASSES.as_slice() } else { &whole } {
             let columns = width.saturating_sub(x0).div_ceil(dx) as usize;
+            // A pass over a narrow picture can be empty, and then has no rows in the file.
             if columns == 0 {
                 continue;
             }
@@ -74,10 +76,12 @@ impl Pixels {
             for y in (y0..height).step_by(dy as usize) {
                 let start = y as usize * width as usize + x0 as usize;
                 let to = &mut levels.pixels[start..];
+                // Whole rows of RGB are read in place.
                 if channels == 3 && dx == 1 {
                     next_row(&mut reader, to[..columns].as_flattened_mut())?;
                     continue;
                 }
+                // Other rows are spread over their columns, one pixel at a time.
                 next_row(&mut reader, row)?;
                 let to = to.iter_mut().step_by(dx as usize);
                 for (column, (to, from)) in to.zip(row.chunks_exact(channels)).enumerate() {
@@ -91,6 +95,7 @@ impl Pixels {
                 }
             }
         }
+        // The end is read too, so that a damaged file is not taken for whole.
         reader.finish().map_err(unreadable)?;
         Ok(levels)
     }
