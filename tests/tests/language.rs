@@ -16,7 +16,7 @@ const REFUSED: &[&str] = &[
 ];
 
 /// Crates with docstrings that still begin so, and how many. A number may only fall.
-const OFFENCES: &[(&str, usize)] = &[("cli", 5), ("ladder", 16), ("reference", 18), ("scene", 50)];
+const OFFENCES: &[(&str, usize)] = &[("cli", 5)];
 
 #[test]
 fn docstrings_begin_with_a_verb_or_a_noun() {
