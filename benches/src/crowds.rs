@@ -44,7 +44,8 @@ impl Crowd {
                     Sphere { center: [0.0; 3], radius, material }
                 }
                 Self::Atoms | Self::Lamps => {
-                    // The plastic ratio's multiples: evenly over [0, 1), and apart from those of the angle.
+                    // The plastic ratio's multiples: evenly over [0, 1), and apart from those of
+                    // the angle.
                     let far = 200.0 + 130.0 * (f64::from(i) * 0.754_877_666_246_693).fract();
                     let radius = [1.7, 1.52, 1.7, 1.55][i as usize % 4];
                     Sphere { center: on_sphere(i, balls, far), radius, material }

@@ -138,7 +138,8 @@ pub fn eclipse(size: impl Strategy<Value = (u32, u32)>) -> impl Strategy<Value =
         }),
     ];
     let radii = ((-1.0..1.0f64), (-1.5..1.0f64)).prop_map(|(a, b)| (10f64.powf(a), 10f64.powf(b)));
-    // Its radius over the ball's, and perhaps a lamp low over it, about where the ball's horizon is.
+    // Its radius over the ball's, and perhaps a lamp low over it, about where the ball's horizon
+    // is.
     let low = prop_oneof![Just(None), (0.3..2.0f64, -3.0..0.0f64).prop_map(Some)];
     let ground = prop_oneof![1 => Just(None), 3 => (1.2..4.0f64, low).prop_map(|(e, l)| Some((10f64.powf(e), l)))];
     (size, radii, direction(), direction(), 0.02..1.2f64, 3.0..100.0f64, off, ground).prop_map(

@@ -1,10 +1,10 @@
 //! Whether the last line of a scene is worse than the noise.
 //!
-//! The rule. A line is compared with the last [`WINDOW`] earlier lines of the same work
-//! (scene, size, depth, threads, rays) on the same processor and instruction set, of which
-//! there must be [`NEEDED`]. The margin is the largest spread among all of them, the judged line included,
-//! but at least [`LEAST_MARGIN`]; above [`LARGEST_MARGIN`] nothing can be said. A line is
-//! worse when its speed-up over the recursion on the same number of threads lies below
+//! The rule. A line is compared with the last [`WINDOW`] earlier lines of the same work (scene,
+//! size, depth, threads, rays) on the same processor and instruction set, of which there must be
+//! [`NEEDED`]. The margin is the largest spread among all of them, the judged line included, but at
+//! least [`LEAST_MARGIN`]; above [`LARGEST_MARGIN`] nothing can be said. A line is worse when its
+//! speed-up over the recursion on the same number of threads lies below
 //!
 //! ```text
 //! least earlier speed-up · (1 - margin)

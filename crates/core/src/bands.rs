@@ -68,8 +68,8 @@ impl<S: Lane> Band<'_, S> {
         for left in (0..width).step_by(TILE_WIDTH) {
             let right = width.min(left + TILE_WIDTH);
             if let Some(colour) = self.trace(left, right)? {
-                // One row is filled, the others are copies of it: pixels of three numbers are slow to
-                // write one by one.
+                // One row is filled, the others are copies of it: pixels of three numbers are slow
+                // to write one by one.
                 let (first, rest) = pixels.split_at_mut(width);
                 let first = &mut first[left..right];
                 first.fill(output.pixel(colour));

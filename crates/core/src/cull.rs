@@ -1,4 +1,5 @@
-//! Bounds on what rays can meet, each with its proof: by the eye rays of a tile, and by shadow rays.
+//! Bounds on what rays can meet, each with its proof: by the eye rays of a tile, and by shadow
+//! rays.
 
 mod shadow;
 mod tile;

@@ -26,10 +26,10 @@ use crate::trace::Linear;
 /// ```
 ///
 /// Threads are rayon's current ones. Memory: half a megabyte a thread (f64: one); 16 bytes a
-/// primitive and thread; 64 bytes (f64: 128) a sphere and light, or if that is more a megabyte (f64:
-/// two); and 8 bytes an occluder and thread. Where paths go deep, a thread's stack takes 16 bytes (f64:
-/// 28) a ray of a tile and bounce down to bounce 1024, 9 MB at most, and from there on 168 (f64: 264) a
-/// bounce; and up to a quarter more, for it grows by that much.
+/// primitive and thread; 64 bytes (f64: 128) a sphere and light, or if that is more a megabyte
+/// (f64: two); and 8 bytes an occluder and thread. Where paths go deep, a thread's stack takes 16
+/// bytes (f64: 28) a ray of a tile and bounce down to bounce 1024, 9 MB at most, and from there on
+/// 168 (f64: 264) a bounce; and up to a quarter more, for it grows by that much.
 #[derive(Clone, Copy)]
 pub struct Engine<'a, S: PacketScalar = f32> {
     scene: &'a Compiled<S>,
@@ -90,8 +90,8 @@ impl<S: PacketScalar> fmt::Debug for Engine<'_, S> {
     }
 }
 
-/// A place that a picture goes to: a film, a slice of linear light, or [`Levels`]. Pixels stand row by
-/// row from the top left.
+/// A place that a picture goes to: a film, a slice of linear light, or [`Levels`]. Pixels stand row
+/// by row from the top left.
 pub trait Target<S: PacketScalar>: sealed::Sealed {
     /// Renders into it.
     #[doc(hidden)]

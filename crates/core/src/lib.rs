@@ -3,8 +3,8 @@
 //!
 //! Folders, from the top down; each sees those below it alone:
 //!
-//! - [`Engine`] and `bands`: tiles on threads; [`Plan`]: what is left out; [`watch`] and `survey`: what
-//!   those who study the engine ask of it.
+//! - [`Engine`] and `bands`: tiles on threads; [`Plan`]: what is left out; [`watch`] and `survey`:
+//!   what those who study the engine ask of it.
 //! - `trace`: the packet loop, shading, shadows and the stack. Start with `trace/wavefront.rs`.
 //! - `cull`: bounds on what a tile's eye rays and shadow rays can meet.
 //! - `shape`: where rays meet a sphere or a plane.

@@ -8,11 +8,11 @@ pub enum Omission {
     /// Robust numerics, no plane, and the eye outside the outer sphere. A ray would meet that one
     /// first: `plan/nested.rs` asks for a gap between them that is above all rounding.
     Nested,
-    /// Primitives that no eye ray of a tile can meet are not tried there, and a tile without
+    /// Primitives that no eye ray of a tile can meet are not tested there, and a tile without
     /// any is filled with the background.
     ///
-    /// Robust numerics. The rays would miss them: `cull/tile.rs` bounds their directions by cones, with
-    /// margins above all rounding.
+    /// Robust numerics. The rays would miss them: `cull/tile.rs` bounds their directions by cones,
+    /// with margins above all rounding.
     Tiles,
     /// Primitives that cannot stand between a light and any of a tile's points on one primitive
     /// are not tested on the way to the light.

@@ -1,7 +1,7 @@
 //! What rays meet: one file a form, and one that tells the forms apart.
 //!
-//! A form's constants reach its formulas as lanes, today one primitive in all of them. A new form is a
-//! file here, and an arm in each of the two functions of `dispatch`.
+//! A form's constants reach its formulas as lanes, today one primitive in all of them. A new form
+//! is a file here, and an arm in each of the two functions of `dispatch`.
 
 mod dispatch;
 mod foot;

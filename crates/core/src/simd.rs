@@ -1,4 +1,5 @@
-//! Eight lanes on every instruction set. All of `wide`, all intrinsics and all unsafe code stand here.
+//! Eight lanes on every instruction set. All of `wide`, all intrinsics and all unsafe code stand
+//! here.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;

@@ -1,7 +1,8 @@
 //! Tracing a tile: the packet loop and all that it calls, top-down.
 //!
-//! `wavefront` is the loop; then what it calls, in that order: `nearest`, `shade` with `hit_groups`,
-//! `light` and `shadow`, `regroup`, `stack`. `frame` is what it reads, `scratch` what it keeps.
+//! `wavefront` is the loop; then what it calls, in that order: `nearest`, `shade` with
+//! `hit_groups`, `light` and `shadow`, `regroup`, `stack`. `frame` is what it reads, `scratch` what
+//! it keeps.
 
 mod across;
 mod budget;

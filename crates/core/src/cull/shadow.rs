@@ -1,8 +1,8 @@
 //! Shadow culling: the primitives that can stand between a light and what it lights.
 //!
-//! The points of a level that are on one primitive lie in a sphere of radius R around a point q.
+//! The points of a bounce that are on one primitive lie in a sphere of radius R around a point q.
 //! All their ways to a light then lie within R of the segment from q to the light. A sphere further
-//! than R + r from that segment hides the light from none of them, and need not be tried.
+//! than R + r from that segment hides the light from none of them, and need not be tested.
 //!
 //! The reference decides on the foot of the perpendicular: between the ends, and within r of
 //! the centre. In exact arithmetic that is no closer than the way itself. Its error is that of
@@ -12,24 +12,27 @@
 //! after the few u that are lost here.
 //!
 //! Where points are all over a primitive, that leaves little out. So there is a second bound, for
-//! eight points at a time. Seen from the light a sphere at distance D, centre to light, fills a cone
-//! of sine r/D around its centre. A way that comes no closer to the centre than rho < D is outside
-//! the cone of sine rho/D: l·axis is below sqrt(1 - (rho/D)^2), l being the unit vector to the light
-//! and axis the one from the centre to the light. As said above, the reference finds x dark only
-//! where rho is at most r(1 + 2u) + 20u |f|, f from x to the centre, and |f| is at most D more than
-//! x's distance from the light. Within 1000 D of the light, rho/D is below r/D + 20 040u, which is r/D +
-//! 1.2e-3 in f32. Here it is 1.4e-3 more. l, axis and their product are off by 12u; here the cosine
-//! is 1e-5 less. Points further away are tried, and a sphere that nearly touches the light, or is too
-//! small or large for its squares to be rounded relative to their size, has no cone. A point so
-//! near the light that the square of its distance is not rounded so, and l perhaps no unit vector,
-//! is lit whether tried or not: its foot is within twice its distance, which the sphere is far from.
+//! eight points at a time. Seen from the light a sphere at distance D, centre to light, fills a
+//! cone of sine r/D around its centre. A way that comes no closer to the centre than rho < D is
+//! outside the cone of sine rho/D: l·axis is below sqrt(1 - (rho/D)^2), l being the unit vector to
+//! the light and axis the one from the centre to the light. As said above, the reference finds x
+//! dark only where rho is at most r(1 + 2u) + 20u |f|, f from x to the centre, and |f| is at most D
+//! more than x's distance from the light. Within 1000 D of the light, rho/D is below r/D + 20 040u,
+//! which is r/D + 1.2e-3 in f32. Here it is 1.4e-3 more. l, axis and their product are off by 12u;
+//! here the cosine is 1e-5 less. Points further away are tested, and a sphere that nearly touches
+//! the light, or is too small or large for its squares to be rounded relative to their size, has no
+//! cone. A point so near the light that the square of its distance is not rounded so, and l perhaps
+//! no unit vector, is lit whether tried or not: its foot is within twice its distance, which the
+//! sphere is far from.
 //!
-//! Both bounds take a way for one that ends in the light. From a sphere it starts at the rounded point
-//! and goes where the point would lead before it was rounded (`reference`'s `Surface::to`): it
-//! passes the light by what the point was rounded by, at most 2u of the way from the eye to the point.
-//! The first bound's R is so much larger than the points ask for. For the second, a point within
-//! 1000 D of the light is at most 1000 D further from the eye: the sine is 2u of the light's distance
-//! from the eye, over D, more; and 2000u, which fits in what it is widened by.
+//! Both bounds take a way for one that ends in the light. From a sphere it starts at the rounded
+//! point and goes where the point would lead before it was rounded (`reference`'s `Surface::to`):
+//! it passes the light by what the point was rounded by, at most 2u of the way from the eye to the
+//! point. The first bound's R is so much larger than the points ask for. For the second, a point
+//! within 1000 D of the light is at most 1000 D further from the eye: the sine is 2u of the light's
+//! distance from the eye, over D, more; and 2000u, which fits in what it is widened by.
+//! This rests on centres that are not far beyond the points: a robust sphere's radius is below 4 times
+//! the eye's distance from its surface. A form with an anchor farther away needs wider bounds.
 //!
 //! A large sphere hides nothing where its height rises along the whole way, for the reference
 //! asks for a height that falls at the start. Spheres around the eye and planes hide nothing at
@@ -64,8 +67,8 @@ const CONES: usize = 1 << 16;
 /// Cones that are allowed a sphere and light, where that is more.
 const CONES_EACH: usize = 4;
 
-/// The primitives that can stand before a light at all, by number: spheres, then large spheres, then
-/// those of which nothing is known.
+/// The primitives that can stand before a light at all, by number: spheres, then large spheres,
+/// then those of which nothing is known.
 pub(crate) struct Occluders<S: Scalar> {
     /// The shape of each, and its index in the scene.
     shapes: Vec<Shape<S>>,
@@ -82,7 +85,8 @@ pub(crate) struct Occluders<S: Scalar> {
     reaches: Vec<S>,
 }
 
-/// The directions to a light on which a sphere may hide it, as unit vectors l: l·axis is not below cos.
+/// The directions to a light on which a sphere may hide it, as unit vectors l: l·axis is not below
+/// cos.
 #[derive(Clone, Copy)]
 pub(crate) struct Cone<S: Scalar> {
     pub(crate) axis: S::Vec3,
@@ -98,11 +102,12 @@ pub(crate) struct LightCones<'a, S: Scalar> {
     pub(crate) reach: S,
 }
 
-/// Number of lights that have cones: the first ones, as far as [`CONES`] or [`CONES_EACH`] allow, or none
-/// in a picture that has no more packets of eye rays than there are spheres.
+/// Number of lights that have cones: the first ones, as far as [`CONES`] or [`CONES_EACH`] allow,
+/// or none in a picture that has no more packets of eye rays than there are spheres.
 ///
-/// A cone takes some 80 instructions before the first ray, and saves 13 of a packet's shadow test. So
-/// cones take at most 10 instructions an eye ray and light, far less than 5 % of what lighting takes.
+/// A cone takes some 80 instructions before the first ray, and saves 13 of a packet's shadow test.
+/// So cones take at most 10 instructions an eye ray and light, far less than 5 % of what lighting
+/// takes.
 fn lights_with_cones(spheres: usize, lights: usize, samples: usize) -> usize {
     if spheres > samples / LANES {
         return 0;
@@ -163,8 +168,8 @@ impl<S: Lane> Occluders<S> {
         }
     }
 
-    /// Adds the shadow cones that lights are culled with, one a light and sphere, for a picture of so
-    /// many samples; see [`lights_with_cones`].
+    /// Adds the shadow cones that lights are culled with, one a light and sphere, for a picture of
+    /// so many samples; see [`lights_with_cones`].
     pub(crate) fn with_cones(mut self, lights: &[PointLight<S>], samples: usize) -> Self {
         let with_cones = lights_with_cones(self.spheres, lights.len(), samples);
         for light in lights.iter().take(with_cones) {

@@ -1,14 +1,14 @@
 //! Tile culling: the primitives that the eye rays of a tile can meet.
 //!
 //! The directions of a tile lie in a cone; a sphere is seen in another one. Where the cones are
-//! apart no eye ray of the tile meets the sphere, and it need not be tried. Nothing else depends
-//! on it: the candidates are tried in the order of their index, as all primitives would be.
+//! apart no eye ray of the tile meets the sphere, and it need not be tested. Nothing else depends
+//! on it: the candidates are tested in the order of their index, as all primitives would be.
 //!
-//! The bounds are formed in f64 and widened by far more than the f32 rays can be off. With
-//! u = 6e-8, an eye ray's direction is within 8u of the exact one, for each of its components is
-//! rounded for itself. The vector from a sphere's centre to the foot of the
-//! perpendicular is within 10u |c|, and its square and r^2 within 4u relative; a large sphere's slope
-//! is within 4u |scaled_center|. In f64 they are off by 2^-29 of that: the same bounds hold all the more.
+//! The bounds are formed in f64 and widened by far more than the f32 rays can be off. With u =
+//! 6e-8, an eye ray's direction is within 8u of the exact one, for each of its components is
+//! rounded for itself. The vector from a sphere's centre to the foot of the perpendicular is within
+//! 10u |c|, and its square and r^2 within 4u relative; a large sphere's slope is within 4u
+//! |scaled_center|. In f64 they are off by 2^-29 of that: the same bounds hold all the more.
 
 use catoptric_scene::{Compiled, EyeRays, Scalar, Shape};
 use glam::DVec3;

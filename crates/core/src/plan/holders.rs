@@ -1,9 +1,9 @@
 //! Spheres that may hold others, by place.
 //!
-//! A sphere whose radius is in an octave, [2^e, 2^(e+1)), stands in the cell of its centre in a grid
-//! of cells of side 2^(e+2). One that holds a sphere of radius r around c by a gap has its centre
-//! within R - r - gap of c, where R is the largest radius of its octave, and that is less than half a
-//! cell: it stands in one of at most two cells an axis, eight in all.
+//! A sphere whose radius is in an octave, [2^e, 2^(e+1)), stands in the cell of its centre in a
+//! grid of cells of side 2^(e+2). One that holds a sphere of radius r around c by a gap has its
+//! centre within R - r - gap of c, where R is the largest radius of its octave, and that is less
+//! than half a cell: it stands in one of at most two cells an axis, eight in all.
 //!
 //! Cells are found by a hash and not named: those of one hash, of any octave, are one chain. What
 //! is in the wrong cell is compared as well, which changes nothing.
@@ -14,8 +14,8 @@
 
 use glam::DVec3;
 
-/// Limit on the spheres that are compared in a search. A search that has not found by then what holds its sphere
-/// is in a crowd of spheres that overlap it and do not hold it.
+/// Limit on the spheres that are compared in a search. A search that has not found by then what
+/// holds its sphere is in a crowd of spheres that overlap it and do not hold it.
 pub(crate) const MOST_COMPARED: usize = 64;
 
 /// Cells that a search looks up in an octave, at most.
@@ -68,8 +68,8 @@ impl<'a> Holders<'a> {
         self.chains[chain] = number;
     }
 
-    /// Whether one of those added `holds` a sphere. `step` is told of each cell that is looked up and
-    /// of each sphere that is compared.
+    /// Whether one of those added `holds` a sphere. `step` is told of each cell that is looked up
+    /// and of each sphere that is compared.
     pub(crate) fn any(
         &self,
         (center, radius): Bound,

@@ -1,24 +1,24 @@
 //! Nested spheres: spheres wholly inside another one, which no ray can meet.
 //!
-//! A ray from outside the outer sphere meets that one first, and a way to a light that the inner sphere
-//! blocks is blocked by the outer one. Both hold in the reals. So that they hold as computed, the
-//! gap between the two surfaces is above all rounding: with S as far as anything stands from the
-//! eye, origins and centres are at most 2S apart, u = 6e-8 in f32, the foot of the perpendicular is
-//! within 40u S and r^2 within 4u relative. That is as if the inner sphere were up to 42u S larger
-//! and the outer one as much smaller; and distances are off by another 16u S each. Together this
-//! is below 7e-6 S.
+//! A ray from outside the outer sphere meets that one first, and a way to a light that the inner
+//! sphere blocks is blocked by the outer one. Both hold in the reals. So that they hold as
+//! computed, the gap between the two surfaces is above all rounding: with S as far as anything
+//! stands from the eye, origins and centres are at most 2S apart, u = 6e-8 in f32, the foot of the
+//! perpendicular is within 40u S and r^2 within 4u relative. That is as if the inner sphere were up
+//! to 42u S larger and the outer one as much smaller; and distances are off by another 16u S each.
+//! Together this is below 7e-6 S.
 //!
-//! A ray that leaves the outer sphere itself does not try it, but it goes outward, up to a few u, and
-//! never comes closer to the inner one than the gap.
+//! A ray that leaves the outer sphere itself does not try it, but it goes outward, up to a few u,
+//! and never comes closer to the inner one than the gap.
 //!
 //! On a plane points are as far away as one likes, and a distance there has no last places left to
 //! tell the two apart: with one nothing is left out. Spheres around the eye hold what is seen.
 //!
 //! No pairs are gone through. Spheres are taken by falling radius, and only one that is inside no
-//! other is kept as one that may hold others: what is inside an inner sphere is inside the outer one
-//! too, by the gaps of both. Holders are found by place (`holders`), in a bounded number of steps a
-//! sphere. Where places are so crowded that these do not suffice, a sphere may be found to be inside
-//! none. It is then tried like any other.
+//! other is kept as one that may hold others: what is inside an inner sphere is inside the outer
+//! one too, by the gaps of both. Holders are found by place (`holders`), in a bounded number of
+//! steps a sphere. Where places are so crowded that these do not suffice, a sphere may be found to
+//! be inside none. It is then tested like any other.
 
 use catoptric_scene::{Compiled, Numerics, Scalar};
 

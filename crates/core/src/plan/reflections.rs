@@ -5,12 +5,12 @@
 //!
 //! The first [`EXACT`] of those are formed as a path forms them. Where none is below the cut, more
 //! would take longer than small pictures do, and a bound follows. As long as a weight is not below
-//! a cut that is a normal number, no product was subnormal, and each was rounded up by at most 2^-24
-//! of itself: the weight of m reflections is at most (k (1 + 2^-24))^m. Here that power is formed in
-//! f64, with 2^-23 in place of 2^-24, by the squares of its base. They and their products round
-//! down fewer than 2m times, each time by at most 2^-53 of themselves, which is less than what the
-//! base is larger by. A square that falls below the normal numbers is below the cut as it is in the
-//! reals.
+//! a cut that is a normal number, no product was subnormal, and each was rounded up by at most
+//! 2^-24 of itself: the weight of m reflections is at most (k (1 + 2^-24))^m. Here that power is
+//! formed in f64, with 2^-23 in place of 2^-24, by the squares of its base. They and their products
+//! round down fewer than 2m times, each time by at most 2^-53 of themselves, which is less than
+//! what the base is larger by. A square that falls below the normal numbers is below the cut as it
+//! is in the reals.
 
 use catoptric_scene::Scalar;
 

@@ -1,8 +1,8 @@
 //! Numbers of a queue's rays, side by side: a structure of arrays.
 //!
 //! A ray of a queue has a slot: lane `slot % LANES` of packet `slot / LANES`. Each number of all
-//! rays is a column of its own, so that it is found by the slot alone, and eight of a packet are read
-//! at once. Unused columns are never written, so they cost no cache.
+//! rays is a column of its own, so that it is found by the slot alone, and eight of a packet are
+//! read at once. Unused columns are never written, so they cost no cache.
 
 use std::ops::Range;
 

@@ -96,7 +96,8 @@ mod tests {
         added.iter().flat_map(lanes).collect()
     }
 
-    /// Adds lanes and reads the groups back: each eight of the plain list, filled up with its first.
+    /// Adds lanes and reads the groups back: each eight of the plain list, filled up with its
+    /// first.
     fn check(compactor: &mut Compactor, added: &[(usize, u32)]) {
         compactor.clear();
         for &(packet, lanes) in added {

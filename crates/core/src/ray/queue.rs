@@ -1,8 +1,8 @@
 //! The rays of one bounce of a tile, packed: those that go on leave no gaps.
 //!
 //! Eight rays that met one primitive go on together, as a packet. Rays that go on alone are put
-//! together to eights before they come here, whichever primitives they left. So only the last packet
-//! of a queue of reflected rays has lanes without a ray, its last ones.
+//! together to eights before they come here, whichever primitives they left. So only the last
+//! packet of a queue of reflected rays has lanes without a ray, its last ones.
 //!
 //! A queue has at most as many rays as the one above it, and all its packets but the last are
 //! full: so it never holds more than [`PACKETS`].
@@ -42,10 +42,11 @@ pub(crate) struct Run {
 pub(crate) struct RayQueue<S> {
     origins: Vec3Column<S>,
     directions: Vec3Column<S>,
-    /// How many lanes of each packet hold rays, the first ones; the others hold the first ray again.
+    /// How many lanes of each packet hold rays, the first ones; the others hold the first ray
+    /// again.
     live: [u8; PACKETS],
-    /// Runs of reflected rays. Each holds a packet at least, so there are no more than packets, and an
-    /// index taken modulo [`PACKETS`] is itself while the queue is filled.
+    /// Runs of reflected rays. Each holds a packet at least, so there are no more than packets, and
+    /// an index taken modulo [`PACKETS`] is itself while the queue is filled.
     runs: [Run; PACKETS],
     runs_len: usize,
     /// What the packets after the last run left.

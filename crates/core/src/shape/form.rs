@@ -27,8 +27,8 @@ pub(crate) trait Shape<L: Lanes>: Copy {
         None
     }
 
-    /// Distances to it, unless all lanes miss it. `on_self`: the lanes whose ray starts on it. `EYE`:
-    /// all rays start at the eye.
+    /// Distances to it, unless all lanes miss it. `on_self`: the lanes whose ray starts on it.
+    /// `EYE`: all rays start at the eye.
     fn distance<const EYE: bool>(&self, rays: &Rays<L>, on_self: Mask<L>) -> Option<Distance<L>>;
 
     /// The lanes for which it stands between the origin of a shadow ray and a light at `limit`.
@@ -84,8 +84,8 @@ pub(crate) trait ShapeVisitor<L: Lanes> {
     fn visit<F: Shape<L>>(self, shape: F) -> Self::Output;
 }
 
-/// What a plan and the cullers ask of a form, before anything is traced. All in f64, relative to the
-/// eye.
+/// What a plan and the cullers ask of a form, before anything is traced. All in f64, relative to
+/// the eye.
 ///
 /// What a form says nothing about is never culled: each answer has a safe default.
 pub(crate) trait Facts {

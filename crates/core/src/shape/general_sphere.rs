@@ -1,4 +1,5 @@
-//! Planes and large spheres by their height function: `reference::general_sphere` on eight rays, lane by lane.
+//! Planes and large spheres by their height function: `reference::general_sphere` on eight rays,
+//! lane by lane.
 
 use catoptric_scene::{self as scene, Numerics, Scalar};
 

@@ -14,7 +14,8 @@ impl Horizon {
     /// What the bound is widened by, relative; 20u are lost.
     const MARGIN: f64 = 1e-5;
 
-    /// Whether the height over it rises on every way to a light, from its start within `radius` of q.
+    /// Whether the height over it rises on every way to a light, from its start within `radius` of
+    /// q.
     ///
     /// At q + e it rises with (N(q) + curvature·e)·(light - q - e), |e| at most the radius. The
     /// reference's slope is off by 20u of the lengths of its terms.

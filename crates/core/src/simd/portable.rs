@@ -53,7 +53,8 @@ macro_rules! portable {
             }
             #[inline(always)]
             fn same_bits(self, other: Self) -> Mask<Self> {
-                // SAFETY: both types are eight lanes of as many bits, every bit pattern of which is valid.
+                // SAFETY: both types are eight lanes of as many bits, every bit pattern of which is
+                // valid.
                 let equal = unsafe {
                     let (a, b) = (
                         std::mem::transmute::<$floats, $ints>(self.0),

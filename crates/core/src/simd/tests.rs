@@ -36,8 +36,8 @@ fn operands<S: TestScalar>() -> Vec<Operands<S>> {
 /// What one operation gives in eight lanes, by its name.
 type Named<S> = (&'static str, [S; LANES]);
 
-/// Compares the results of lanes with those of a lane's scalars. `exact`: NaN too has to have the same
-/// bits, as where bits are only chosen or moved.
+/// Compares the results of lanes with those of a lane's scalars. `exact`: NaN too has to have the
+/// same bits, as where bits are only chosen or moved.
 fn compare<S: TestScalar, const N: usize>(
     found: [Named<S>; N],
     plain: impl Fn(usize) -> [(&'static str, S); N],

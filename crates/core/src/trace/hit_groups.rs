@@ -54,8 +54,8 @@ impl<S: Lane> HitGroups<S> {
 
     /// Collects all hits of one primitive; how many rays met it.
     ///
-    /// A packet all of whose rays met it is a group as it is. Rays of other packets are put together
-    /// to eights.
+    /// A packet all of whose rays met it is a group as it is. Rays of other packets are put
+    /// together to eights.
     ///
     /// There are no more groups than packets: so many packets met it whole, and the single rays
     /// come from others, eight of them at most. The list does not end before them.
@@ -107,8 +107,8 @@ impl<S: Lane> HitGroups<S> {
         hits
     }
 
-    /// Centre, a point of the scalar, and radius of a sphere that holds all points, and all that they
-    /// were rounded from. `anchor` is where arms start.
+    /// Centre, a point of the scalar, and radius of a sphere that holds all points, and all that
+    /// they were rounded from. `anchor` is where arms start.
     #[inline(always)]
     pub(crate) fn bounds(&self, anchor: DVec3) -> (DVec3, f64) {
         let (mut center, mut corner) = (DVec3::ZERO, DVec3::ZERO);

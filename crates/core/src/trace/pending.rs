@@ -24,10 +24,10 @@ impl<S: Lane> PendingBounce<S> {
 }
 
 /// The ray that a colour belongs to, and the material at whose mirror it waits for the reflected
-/// ray's colour. In bits 0 to 8 the ray's slot, in bits 9 to 30 the material, or [`ReturnSlot::END`] where no
-/// mirror is followed; an end is the same for all eight. Bit 31 says in lane 0 that they are the
-/// lanes of one packet, whose first slot then stands in all of them; in lane 1, that they are of
-/// one material.
+/// ray's colour. In bits 0 to 8 the ray's slot, in bits 9 to 30 the material, or
+/// [`ReturnSlot::END`] where no mirror is followed; an end is the same for all eight. Bit 31 says
+/// in lane 0 that they are the lanes of one packet, whose first slot then stands in all of them; in
+/// lane 1, that they are of one material.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct ReturnSlot(u32);
 
@@ -62,8 +62,8 @@ impl ReturnSlot {
         Self(self.0 | (material * Self::SLOTS))
     }
 
-    /// Expands a packet's compact form to one slot a lane, all reflecting off `material`, so that lanes
-    /// can be regrouped.
+    /// Expands a packet's compact form to one slot a lane, all reflecting off `material`, so that
+    /// lanes can be regrouped.
     #[inline(always)]
     pub(crate) fn each(rays: &[Self; LANES], material: u32) -> [Self; LANES] {
         let packet = Self::packet(rays).is_some();

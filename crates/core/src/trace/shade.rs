@@ -228,7 +228,8 @@ struct Mirror<S> {
     reflectance: S,
 }
 
-/// Sends on the reflected rays whose weight is not below the cut, and puts what they owe on the stack.
+/// Sends on the reflected rays whose weight is not below the cut, and puts what they owe on the
+/// stack.
 ///
 /// Without a cut every weight passes, and weights are not even formed.
 #[inline(always)]

@@ -111,8 +111,8 @@ impl<L: Lanes> ShapeVisitor<L> for Blocks<'_, L> {
     }
 }
 
-/// The packets of points that a sphere may hide the light from, packet i as bit i; from no others does
-/// it. Points beyond the reach of the cones are not asked for; a light without cones has none.
+/// The packets of points that a sphere may hide the light from, packet i as bit i; from no others
+/// does it. Points beyond the reach of the cones are not asked for; a light without cones has none.
 #[inline(always)]
 fn reached<L: Lanes>(
     cones: LightCones<L::Scalar>,

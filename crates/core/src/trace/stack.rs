@@ -1,10 +1,11 @@
 //! The stack: what every bounce of a tile still owes, and what was counted there.
 //!
 //! A mirror has one child, so each eye ray's stack is a chain, and the rays in flight (origin,
-//! direction, weight) are held once, in the queues. Below a bounce there is kept, for each
-//! ray that met something, only what is needed on the return: the local light, whose it is, and
-//! the mirror that says how much of the reflected ray's colour is added to it. That is 16 bytes a
-//! ray and bounce in f32, and a byte for eight rays that says which packet they wait for. The colours that come back exist for one bounce at a time.
+//! direction, weight) are held once, in the queues. Below a bounce there is kept, for each ray that
+//! met something, only what is needed on the return: the local light, whose it is, and the mirror
+//! that says how much of the reflected ray's colour is added to it. That is 16 bytes a ray and
+//! bounce in f32, and a byte for eight rays that says which packet they wait for. The colours that
+//! come back exist for one bounce at a time.
 
 use catoptric_scene::{Counts, DepthCount, Phong};
 
@@ -224,8 +225,8 @@ impl<'a, S: Lane> Stack<'a, S> {
         &mut self.colours[0]
     }
 
-    /// Takes the bounce in flight off the stack: completes its rays' colours, local + reflectance · what comes
-    /// back from the bounce below, as the recursion forms them.
+    /// Takes the bounce in flight off the stack: completes its rays' colours, local + reflectance ·
+    /// what comes back from the bounce below, as the recursion forms them.
     #[inline(always)]
     pub(crate) fn fold<L: Lanes<Scalar = S>>(
         &mut self,

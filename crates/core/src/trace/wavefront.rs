@@ -13,18 +13,19 @@
 //! This file departs from it as follows, and no bit changes:
 //!
 //! 1. Eight rays go side by side, as a packet. Each lane does what the recursion does for its
-//!    ray, in the same order; operations are the same in a lane as on a scalar (`lanes`). A lane
+//!    ray, in the same order; operations are the same in a lane as on a scalar (`simd`). A lane
 //!    without a ray does over again what another one does.
-//! 2. All rays of a tile go side by side, bounce by bounce: those of one depth are a queue
-//!    (`ray`). No ray knows of another, so their order is free. What a queue's rays met is taken
-//!    primitive by primitive (`hit_groups`) and lit light by light (`light`), so that all that depends
-//!    on the primitive, the light or what stands before it is the same in all lanes; and
-//!    the rays that go on are packed anew (`regroup`).
+//! 2. All rays of a tile go side by side, bounce by bounce: those of one depth are a queue (`ray`).
+//!    No ray knows of another, so their order is free. What a queue's rays met is taken primitive
+//!    by primitive (`hit_groups`) and lit light by light (`light`), so that all that depends on the
+//!    primitive, the light or what stands before it is the same in all lanes; and the rays that go
+//!    on are packed anew (`regroup`).
 //! 3. The call becomes a loop. On the way down every bounce leaves behind what it owes on the
-//!    return: for each ray that met something the local light, whose it is and the mirror (`stack`).
+//!    return: for each ray that met something the local light, whose it is and the mirror
+//!    (`stack`).
 //! 4. The return becomes a second loop that folds back, colour = local + reflectance · colour, from
-//!    the deepest bounce up: the sum that the recursion forms, in its order. Adding weight · local on
-//!    the way down would be the same sum only in the reals.
+//!    the deepest bounce up: the sum that the recursion forms, in its order. Adding weight · local
+//!    on the way down would be the same sum only in the reals.
 //! 5. A bounce keeps something of all its rays, which would take too much memory where they go
 //!    deep together. From bounce [`BREADTH`] on each packet goes to the end of its path before
 //!    the next one does.
@@ -43,8 +44,8 @@ use crate::ray::{BREADTH, queue_of};
 use crate::simd::{LANES, Lanes};
 
 /// Traces the eye rays of queue 0: the light that comes back along them is in the stack's
-/// `eye_colours`. `candidates`: the primitives that they are tested against. `observer` sees the first
-/// of them go down and come up.
+/// `eye_colours`. `candidates`: the primitives that they are tested against. `observer` sees the
+/// first of them go down and come up.
 ///
 /// Down to bounce [`BREADTH`] all packets of a bounce are traced at once; there, one: packet 0 goes
 /// to the end of its path and is folded back to this bounce, then packet 1, and so on; the queue of
@@ -100,8 +101,8 @@ pub(crate) fn trace<L: Lanes>(
     }
 }
 
-/// Traces packets of the bounce in flight as far as what they meet. The rays that go on are the next
-/// queue; how many packets that is.
+/// Traces packets of the bounce in flight as far as what they meet. The rays that go on are the
+/// next queue; how many packets that is.
 #[inline(always)]
 fn trace_bounce<L: Lanes>(
     frame: &Frame<L::Scalar>,
