@@ -115,9 +115,9 @@ impl Account {
         // Plan as the engine would, and tell what the scene has and needs.
         let compiled = Compiled::new(scene);
         let grid = Grid::new(&View::whole(scene));
-        let plan = plan::Told::new(&compiled, &grid, isa).map_err(failed)?;
-        let used = *Plan::new(&compiled, &grid).features();
-        let has = Has::new(scene, &compiled, &used);
+        let planned = Plan::new(&compiled, &grid);
+        let plan = plan::Told::new(&compiled, &grid, &planned, isa).map_err(failed)?;
+        let has = Has::new(scene, &compiled, planned.features());
         let needs = Needs::new(scene, &compiled, &has, plan.depth);
         // Bound what paths that end early can change, also for a scene without max_depth.
         let light = LightBounds::new(scene);

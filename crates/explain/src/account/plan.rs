@@ -55,12 +55,16 @@ pub(super) struct Omitted {
 }
 
 impl Told {
-    /// Measures on rayon's current threads.
+    /// Measures what a plan of the scene saves, on rayon's current threads.
     ///
     /// # Errors
     /// A path too deep for the engine's stack.
-    pub(super) fn new(scene: &Compiled, grid: &Grid, isa: Isa) -> Result<Self, TooDeep> {
-        let plan = Plan::new(scene, grid);
+    pub(super) fn new(
+        scene: &Compiled,
+        grid: &Grid,
+        plan: &Plan,
+        isa: Isa,
+    ) -> Result<Self, TooDeep> {
         let candidates = tile_candidates(scene, grid);
         let uncut = Compiled { min_weight: 0.0, ..scene.clone() };
         let depth_set_by = if plan.depth() < Plan::new(&uncut, grid).depth() {
