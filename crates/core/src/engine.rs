@@ -70,10 +70,10 @@ impl<'a, S: PacketScalar> Engine<'a, S> {
     /// Renders by a plan of this engine's scene, which changes how long it takes and nothing else.
     ///
     /// # Errors
-    /// As [`Engine::render`].
+    /// The same as [`Engine::render`].
     ///
     /// # Panics
-    /// As [`Engine::render`], and if the plan is another scene's.
+    /// The same as [`Engine::render`], and if the plan is another scene's.
     pub fn render_planned(
         &self,
         plan: &Plan<S>,

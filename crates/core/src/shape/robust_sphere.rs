@@ -102,7 +102,7 @@ impl<L: Lanes> Shape<L> for Inside<RobustSphere<L>> {
     #[inline(always)]
     fn distance<const EYE: bool>(&self, rays: &Rays<L>, on_self: Mask<L>) -> Option<Distance<L>> {
         let Foot { b, discriminant } = self.0.perpendicular(rays);
-        // Of a packet that left it whole, no root.
+        // A packet that left it whole needs no root.
         let s = if on_self.all() { b } else { on_self.select(b, discriminant.positive().sqrt()) };
         let t = (b + s).not_behind();
         Some(Distance { t, met: t.ge(L::constant(0.0)) })

@@ -99,7 +99,7 @@ impl Lanes for Avx2<__m256> {
     fn max_or_second(self, other: Self) -> Self {
         Self(op!(_mm256_max_ps(self.0, other.0)))
     }
-    // Of two zeros, and where one is NaN, this instruction gives the second.
+    // This instruction gives the second of two zeros, and the second where one is NaN.
     #[inline(always)]
     fn positive(self) -> Self {
         self.max_or_second(Self::constant(0.0))
