@@ -1,8 +1,8 @@
 //! Compilation in two scalars: the same decisions, and each constant rounded once.
 
 use catoptric_scene::{
-    Camera, Compiled, Draft, Grid, Light, Material, Numerics, Plane, Scalar, Scene, Shape, Sphere,
-    View,
+    Camera, CameraAxes, Compiled, Draft, Grid, Light, Material, Numerics, Plane, Scalar, Scene,
+    Shape, Sphere, View,
 };
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
@@ -180,4 +180,19 @@ proptest! {
             }
         }
     }
+}
+
+/// A light whose offset from the eye lies in the middle between two f32, and the same scene turned:
+/// the even one is taken both times.
+#[test]
+fn ties_are_even_however_the_scene_is_turned() {
+    let camera = |position, look_at, up| Camera { position, look_at, up, fov: 1.0 };
+    let x = 14_035.618_652_343_75;
+    let as_stated = CameraAxes::new(&camera([x, 0.0, 0.0], [x, 0.0, -44.0], [11.0, 0.0, 0.0]));
+    let [a, b] = [-8_931.757_324_218_75, 7_655.791_992_187_5];
+    let turned =
+        CameraAxes::new(&camera([a, b, b], [a - 24.0, b + 8.0, b - 36.0], [-7.0, 6.0, 6.0]));
+    let lights = [as_stated.point([0.0, 0.0, 11.0]), turned.point([6.0, -2.0, 9.0])];
+    let [stated, turned] = lights.map(|light| light.map(|x| x.to_f32().to_bits()));
+    assert_eq!(stated, turned);
 }
